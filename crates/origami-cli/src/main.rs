@@ -1,0 +1,2 @@
+//! The command `origami`.
+fn main() {}

@@ -1,0 +1,18 @@
+//! Bar-and-hinge origami simulation on the CPU.
+//!
+//! Data flows one way: [`fold`] document → [`pattern::CreasePattern`] → [`mesh::Mesh`] → [`model::Model`] →
+//! [`solve`] → [`measure`] → [`export`]. [`generate`] makes patterns without a file.
+#![forbid(unsafe_code)]
+
+pub mod error;
+pub mod export;
+pub mod fold;
+pub mod generate;
+pub mod ids;
+pub mod measure;
+pub mod mesh;
+pub mod model;
+pub mod pattern;
+
+pub use error::{Error, Warning};
+pub use pattern::CreasePattern;

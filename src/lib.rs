@@ -1,0 +1,2 @@
+//! Folds origami crease patterns.
+pub use origami_core::*;

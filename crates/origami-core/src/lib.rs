@@ -7,12 +7,14 @@
 pub mod error;
 pub mod export;
 pub mod fold;
+pub mod forces;
 pub mod generate;
 pub mod ids;
 pub mod measure;
 pub mod mesh;
 pub mod model;
 pub mod pattern;
+pub mod solve;
 
 pub use error::{Error, Warning};
 pub use pattern::CreasePattern;

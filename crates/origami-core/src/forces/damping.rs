@@ -1,0 +1,24 @@
+//! Damping along beams (paper 2.5): `F_i = c (v_j - v_i)` with `c = 2 zeta sqrt(k min(m_i, m_j))`, masses 1.
+//!
+//! It acts on the whole relative velocity, not only on its part along the beam: it keeps linear momentum but not angular
+//! momentum, and it hardly touches slow global motion.
+
+use glam::DVec3;
+
+use crate::model::Model;
+
+/// The coefficient c of each beam, a force per velocity.
+#[must_use]
+pub fn coefficients(model: &Model) -> Vec<f64> {
+    model.beams.iter().map(|beam| 2.0 * model.material.zeta * beam.stiffness.sqrt()).collect()
+}
+
+/// Adds the damping forces of all beams; fixed nodes have no velocity and their force is not used.
+pub(crate) fn add_forces(model: &Model, coefficients: &[f64], velocities: &[DVec3], forces: &mut [DVec3]) {
+    for (beam, c) in model.beams.iter().zip(coefficients) {
+        let [i, j] = beam.nodes.map(|n| n.index());
+        let force = (velocities[j] - velocities[i]) * *c;
+        forces[i] += force;
+        forces[j] -= force;
+    }
+}

@@ -12,6 +12,7 @@ pub fn unwrapped(angle: f64, previous: f64) -> f64 {
 const SMALL: f64 = 0.1;
 
 /// The angle with sine and cosine proportional to `y` and `x`, where it is small enough for the series.
+#[inline(always)]
 pub(super) fn small(y: f64, x: f64) -> Option<f64> {
     if !(x > 0.0 && y.abs() < SMALL * x) {
         return None;
@@ -46,6 +47,7 @@ impl Default for Anchor {
 impl Anchor {
     /// The angle with sine and cosine proportional to `y` and `x`, whole turns chosen by `previous`. Exact to rounding
     /// wherever the anchor lies; cheap where it lies near.
+    #[inline(always)]
     pub(super) fn angle(&mut self, y: f64, x: f64, previous: f64) -> f64 {
         let (turned_y, turned_x) = (y * self.cos - x * self.sin, x * self.cos + y * self.sin);
         if (previous - self.angle).abs() < 1.0
@@ -53,6 +55,13 @@ impl Anchor {
         {
             return self.angle + turn;
         }
+        self.moved(y, x, previous)
+    }
+
+    /// Drops the anchor at the angle itself.
+    #[cold]
+    #[inline(never)]
+    fn moved(&mut self, y: f64, x: f64, previous: f64) -> f64 {
         let angle = unwrapped(y.atan2(x), previous);
         let (sin, cos) = angle.sin_cos();
         *self = Self { angle, cos, sin };

@@ -13,7 +13,7 @@ use crate::model::{CornerAngles, Model};
 /// By how much the three angles exceed those at rest, in radians.
 ///
 /// Turning a corner's cosine and sine back by its rest angle leaves a small angle; the three sum to zero.
-#[inline]
+#[inline(always)]
 pub(crate) fn deviations(corners: &CornerAngles, doubled_area: f64, dots: [f64; 2]) -> [f64; 3] {
     let deviation = |(cos, sin): (f64, f64), dot: f64| {
         let (y, x) = (doubled_area * cos - dot * sin, dot * cos + doubled_area * sin);
@@ -34,7 +34,7 @@ pub(crate) struct Triangle {
 }
 
 impl Triangle {
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new([a, b, c]: [DVec3; 3]) -> Self {
         let sides = [b - a, c - b, a - c];
         let normal = sides[2].cross(sides[0]);
@@ -46,14 +46,14 @@ impl Triangle {
         !(self.doubled_area > f64::MIN_POSITIVE)
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn deviations(&self, corners: &CornerAngles) -> [f64; 3] {
         let [ab, bc, ca] = self.sides;
         deviations(corners, self.doubled_area, [-ab.dot(ca), -ab.dot(bc)])
     }
 
     /// `n x (b-a)/|b-a|^2` of each side.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn side_vectors(&self) -> [DVec3; 3] {
         self.sides.map(|s| self.normal.cross(s) * (1.0 / (self.doubled_area * s.length_squared())))
     }

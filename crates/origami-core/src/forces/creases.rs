@@ -31,7 +31,7 @@ impl Hinge {
 /// `dtheta/dp1 = n1/h1` and `dtheta/dp2 = n2/h2` with unit normals and the apexes' heights h over the crease; the ends
 /// take the opposite, shared by the foot `s` of each height: `-(1 - s1) n1/h1 - (1 - s2) n2/h2` and
 /// `-s1 n1/h1 - s2 n2/h2`. The paper's cotangents say the same.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn hinge([p1, p2, p3, p4]: [DVec3; 4]) -> Option<Hinge> {
     const LIMIT: f64 = DEGENERATE * DEGENERATE;

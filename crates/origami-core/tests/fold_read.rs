@@ -80,6 +80,15 @@ fn depth_encoding_and_size_do_not_panic() {
 }
 
 #[test]
+fn messages_are_fit_for_a_terminal() {
+    let message = refusal(format!(r#"{{"edges_vertices": "{}"}}"#, "long ".repeat(100_000)).as_bytes());
+    assert!(message.starts_with("edges_vertices: invalid type: string \"long long"), "{message}");
+    assert!(message.contains("expected an array of pairs") && message.len() < 400, "{message}");
+    let message = refusal(br#"{"a\u001b[31m": {"b": 1, "b": 2}}"#);
+    assert!(message.starts_with("a\u{fffd}[31m.b: "), "{message:?}");
+}
+
+#[test]
 fn a_byte_order_mark_is_skipped() {
     let document = read("\u{feff}{\"frame_title\": \"é\"}");
     assert_eq!(document.key_frame.extra["frame_title"], "é");

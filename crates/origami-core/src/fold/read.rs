@@ -79,7 +79,7 @@ fn located(text: &str, error: serde_json::Error) -> Error {
         (_, "number out of range") => "the number is too large; expected a finite one".to_owned(),
         (_, "recursion limit exceeded") => "nested too deeply; expected fewer than 128 levels".to_owned(),
         (Category::Syntax | Category::Eof, message) => format!("not JSON: {message}"),
-        (_, message) => message.to_owned(),
+        (_, message) => shortened(message),
     };
     if path.is_empty() {
         Error::Syntax { place: position, problem }
@@ -94,10 +94,24 @@ fn written(path: &Path) -> String {
     for segment in path {
         match segment {
             Segment::Seq { index } => text.push_str(&format!("[{index}]")),
-            Segment::Map { key } if text.is_empty() => text.push_str(key),
-            Segment::Map { key } => text.extend([".", key]),
+            Segment::Map { key } => {
+                text.push_str(if text.is_empty() { "" } else { "." });
+                // A key may be anything; a terminal should not obey it.
+                text.extend(shortened(key).chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }));
+            }
             Segment::Enum { .. } | Segment::Unknown => break,
         }
     }
     text
+}
+
+/// Without its middle if it is long: messages quote what they met, which may be a whole file.
+fn shortened(message: &str) -> String {
+    const END: usize = 100;
+    let count = message.chars().count();
+    if count <= 3 * END {
+        return message.to_owned();
+    }
+    let (start, end) = (message.chars().take(END), message.chars().skip(count - END));
+    start.chain(" … ".chars()).chain(end).collect()
 }

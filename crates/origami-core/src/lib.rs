@@ -17,4 +17,8 @@ pub mod pattern;
 pub mod solve;
 
 pub use error::{Error, Warning};
+/// The vector crate whose types stand in this one's interface.
+pub use glam;
+pub use model::{Material, Model};
 pub use pattern::CreasePattern;
+pub use solve::{Dynamics, Folded, Relax, Solver, State};

@@ -13,7 +13,7 @@ pub fn coefficients(model: &Model) -> Vec<f64> {
     model.beams.iter().map(|beam| 2.0 * model.material.zeta * beam.stiffness.sqrt()).collect()
 }
 
-/// Adds the damping forces of all beams; fixed nodes have no velocity and their force is not used.
+/// Adds the damping forces of all beams; fixed nodes feel none.
 pub(crate) fn add_forces(model: &Model, coefficients: &[f64], velocities: &[DVec3], forces: &mut [DVec3]) {
     for (beam, c) in model.beams.iter().zip(coefficients) {
         let [i, j] = beam.nodes.map(|n| n.index());
@@ -21,4 +21,15 @@ pub(crate) fn add_forces(model: &Model, coefficients: &[f64], velocities: &[DVec
         forces[i] += force;
         forces[j] -= force;
     }
+    for node in &model.fixed {
+        forces[node.index()] = DVec3::ZERO;
+    }
+}
+
+/// The damping force on each node moving at `velocities`.
+#[must_use]
+pub fn forces(model: &Model, velocities: &[DVec3]) -> Vec<DVec3> {
+    let mut forces = vec![DVec3::ZERO; velocities.len()];
+    add_forces(model, &coefficients(model), velocities, &mut forces);
+    forces
 }

@@ -89,11 +89,11 @@ impl Solver for Dynamics {
             let holds = match self.integrator {
                 Integrator::Euler => {
                     damping::add_forces(model, &damping, &state.velocities, values);
-                    euler(model, &mut state, values, dt)
+                    euler(&mut state, values, dt)
                 }
                 Integrator::Verlet => {
                     verlet_arrive(model, &mut state, values, &damping, &mut accelerations, 0.5 * clock.previous);
-                    verlet_depart(model, &mut state, &accelerations, dt)
+                    verlet_depart(&mut state, &accelerations, dt)
                 }
             };
             clock.previous = dt;
@@ -120,12 +120,12 @@ impl Solver for Dynamics {
 }
 
 /// `v += dt F`, `x += dt v` with the new v; false where a node went out of bounds.
-fn euler(model: &Model, state: &mut State, forces: &[DVec3], dt: f64) -> bool {
+fn euler(state: &mut State, forces: &[DVec3], dt: f64) -> bool {
     for ((x, v), f) in state.positions.iter_mut().zip(&mut state.velocities).zip(forces) {
         *v += *f * dt;
         *x += *v * dt;
     }
-    finish(model, state, dt)
+    holds(state, dt)
 }
 
 /// Ends the step before: brings the velocity from the middle of it to now, `kick` later. `forces` are those of the
@@ -150,21 +150,16 @@ fn verlet_arrive(
 }
 
 /// Begins a step: on to the velocity in its middle, and to the position at its end.
-fn verlet_depart(model: &Model, state: &mut State, accelerations: &[DVec3], dt: f64) -> bool {
+fn verlet_depart(state: &mut State, accelerations: &[DVec3], dt: f64) -> bool {
     for ((x, v), a) in state.positions.iter_mut().zip(&mut state.velocities).zip(accelerations) {
         *v += *a * (0.5 * dt);
         *x += *v * dt;
     }
-    finish(model, state, dt)
+    holds(state, dt)
 }
 
-/// Holds fixed nodes still and looks whether all others are in bounds.
-fn finish(model: &Model, state: &mut State, dt: f64) -> bool {
-    for node in &model.fixed {
-        let n = node.index();
-        state.positions[n] -= state.velocities[n] * dt;
-        state.velocities[n] = DVec3::ZERO;
-    }
+/// Whether all nodes are in bounds.
+fn holds(state: &State, dt: f64) -> bool {
     state.positions.iter().zip(&state.velocities).all(|(x, v)| Guard::holds(*x, *v * dt))
 }
 

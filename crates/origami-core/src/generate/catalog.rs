@@ -271,7 +271,7 @@ const ENTRIES: &[Entry] = &[
         parameters: &[
             parameter("rings", 8.0, "squares, the border among them"),
             parameter("size", 2.0, "side of the sheet"),
-            ANGLE,
+            parameter("angle", 90.0, "how far the creases fold, above 0 to 180 degrees"),
             parameter("free_facets", 0.0, "1 for facet diagonals without springs"),
         ],
         make: |v| {

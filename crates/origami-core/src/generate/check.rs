@@ -90,17 +90,25 @@ pub(super) fn flat_foldable_vertices(pattern: &CreasePattern) -> usize {
         // The even sectors add up to pi: (t1 - t0) + (t3 - t2) + ...
         let sum: f64 = around.iter().enumerate().map(|(i, (t, _))| if i % 2 == 0 { -t } else { *t }).sum();
         assert!((sum - PI).abs() < 1e-9, "Kawasaki at vertex {v}, {}: {around:?}", pattern.vertices[v]);
-        // A sector smaller than both its neighbours lies between a mountain and a valley, or paper would cross.
-        let n = around.len();
-        let sector = |i: usize| (around[(i + 1) % n].0 - around[i % n].0).rem_euclid(2.0 * PI);
-        for i in 0..n {
-            if sector(i) < sector(i + n - 1).min(sector(i + 1)) - 1e-6 {
-                assert_ne!(around[i].1, around[(i + 1) % n].1, "sector {i} at vertex {v}: {around:?}");
-            }
-        }
+        letters_around_small_sectors(around);
         count += 1;
     }
     count
+}
+
+/// Hull's condition: around a run of k equal sectors, smaller than the next on either side, mountains and valleys are as
+/// many if k is odd, and differ by one if it is even; else paper would cross. `around` holds azimuths and signs.
+fn letters_around_small_sectors(around: &[(f64, f64)]) {
+    let n = around.len();
+    let sector = |i: usize| (around[(i + 1) % n].0 - around[i % n].0).rem_euclid(2.0 * PI);
+    for first in (0..n).filter(|&i| sector(i) < sector(i + n - 1) - 1e-6) {
+        let run = (first..first + n).take_while(|&i| (sector(i) - sector(first)).abs() < 1e-6).count();
+        if sector(first + run) > sector(first) {
+            let signs: f64 = (first..=first + run).map(|i| around[i % n].1).sum();
+            let expected = if run % 2 == 1 { 0.0 } else { 1.0 };
+            assert_eq!(signs.abs(), expected, "letters around sectors {first} to {} of {around:?}", first + run - 1);
+        }
+    }
 }
 
 /// Folds the sheet flat by reflecting faces across creases, face after face; every face must agree with all its

@@ -1,6 +1,6 @@
 //! The pleated hyperbolic paraboloid.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::builder::{Sheet, at_least, between, positive, room};
 use crate::error::Error;
@@ -8,15 +8,15 @@ use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
 
 /// Concentric squares, alternately mountain and valley, and the two diagonals, each piece lettered as the square at its
-/// inner end. It has no folded state without strain (Demaine, Demaine, Hart, Price and Tachi, (Non)existence of pleated
-/// folds, 2011), with the plain triangulation used here.
+/// inner end. Flat trapezoids cannot fold so at all (Demaine, Demaine, Hart, Price and Tachi, (Non)existence of pleated
+/// folds, 2011); here each is split by a diagonal, and the sheet folds with strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hypar {
     /// Squares, the border among them. Default 8.
     pub rings: usize,
     /// Side of the sheet. Default 2.
     pub size: f64,
-    /// How far the creases fold, above 0 and at most pi. Default pi.
+    /// How far the creases fold, above 0 and at most pi. Default pi/2.
     pub angle: f64,
     /// Whether the diagonals of the trapezoids are hinges without a spring (`U`) and not facet creases (`F`).
     /// Default false.
@@ -25,7 +25,7 @@ pub struct Hypar {
 
 impl Default for Hypar {
     fn default() -> Self {
-        Self { rings: 8, size: 2.0, angle: PI, free_facets: false }
+        Self { rings: 8, size: 2.0, angle: FRAC_PI_2, free_facets: false }
     }
 }
 

@@ -7,12 +7,18 @@
 pub mod error;
 pub mod export;
 pub mod fold;
+pub mod forces;
 pub mod generate;
 pub mod ids;
 pub mod measure;
 pub mod mesh;
 pub mod model;
 pub mod pattern;
+pub mod solve;
 
 pub use error::{Error, Warning};
+/// The vector crate whose types stand in this one's interface.
+pub use glam;
+pub use model::{Material, Model};
 pub use pattern::CreasePattern;
+pub use solve::{Dynamics, Folded, Relax, Solver, State};

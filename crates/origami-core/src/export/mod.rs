@@ -1,1 +1,23 @@
-//! Under construction.
+//! Files from folded sheets: FOLD, Wavefront OBJ, STL; written whole or not at all.
+//!
+//! FOLD and OBJ keep the vertices, edges and faces of the input, in its numbering and its unit of length; what the
+//! pattern added (crossings, lips of cuts) follows behind. STL holds the triangles that were simulated.
+
+mod atomic;
+mod folded;
+mod obj;
+mod sheet;
+mod stl;
+
+pub use atomic::write_whole;
+pub use folded::{Stage, animation, crease_pattern_document, folded_form};
+pub use obj::write_obj;
+pub use stl::write_stl;
+
+/// What goes into files as their creator.
+const CREATOR: &str = concat!("origami ", env!("CARGO_PKG_VERSION"));
+
+/// Names the output by `-` until [`write_whole`] knows better.
+fn unwritable(source: std::io::Error) -> crate::Error {
+    crate::Error::Io { path: "-".into(), source }
+}

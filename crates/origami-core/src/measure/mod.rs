@@ -1,1 +1,13 @@
-//! Under construction.
+//! What can be said of a state: strain, energy, angles, distance from another state. Nothing here is computed unless
+//! asked for.
+
+mod alignment;
+mod angles;
+mod strain;
+mod summary;
+
+pub use crate::forces::Energy;
+pub use alignment::{Alignment, align};
+pub use angles::{AngleError, angle_error, edge_fold_angles};
+pub use strain::{Strain, node_strains};
+pub use summary::Summary;

@@ -1,3 +1,162 @@
-//! Under construction.
+//! Topology of the triangulated sheet: who touches whom. Positions are not known here.
+//!
+//! The geometry that a triangulation needs stays in `triangulate`; everything below it is integers.
 
+mod csr;
+mod sides;
 pub mod triangulate;
+
+pub use csr::Csr;
+pub use sides::Side;
+
+use crate::error::Error;
+use crate::ids::{EdgeId, FaceId, NodeId, SideId, TriangleId, VertexId};
+use crate::pattern::CreasePattern;
+
+/// A triangulated sheet. Its nodes are the pattern's vertices that some face or edge uses, in the pattern's order.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    /// The pattern's vertex of each node.
+    pub vertex_of_node: Vec<VertexId>,
+    /// The node of each pattern vertex; `None` for an isolated vertex, which is no part of the sheet.
+    pub node_of_vertex: Vec<Option<NodeId>>,
+    /// Sides of triangles and edges outside any face: first those of the pattern, in its order, then the diagonals.
+    pub sides: Vec<Side>,
+    /// The side of each pattern edge (that of its alias where it has one); `None` where that side does not exist.
+    pub side_of_edge: Vec<Option<SideId>>,
+    /// Corners, in the orientation of the face that the triangle is a part of.
+    pub triangles: Vec<[NodeId; 3]>,
+    /// The pattern's face of each triangle.
+    pub face_of_triangle: Vec<FaceId>,
+    /// Sides at each node.
+    pub sides_of_node: Csr<SideId>,
+    /// Triangles at each node.
+    pub triangles_of_node: Csr<TriangleId>,
+}
+
+impl Mesh {
+    /// The mesh of a pattern whose faces have been cut into `triangles`, each a part of the face in `face_of_triangle`.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where more than two triangles meet at a side, or two lie on the same side of it.
+    pub fn new(
+        pattern: &CreasePattern,
+        triangles: &[[VertexId; 3]],
+        face_of_triangle: Vec<FaceId>,
+    ) -> Result<Self, Error> {
+        let (vertex_of_node, node_of_vertex) = number_nodes(pattern, triangles);
+        let node = |v: VertexId| node_of_vertex[v.index()].expect("every corner and edge end was numbered");
+        let triangles: Vec<[NodeId; 3]> = triangles.iter().map(|t| t.map(node)).collect();
+
+        let own_edges: Vec<(EdgeId, [NodeId; 2])> = own_edges(pattern).map(|(id, ends)| (id, ends.map(node))).collect();
+        let (sides, side_of_own_edge) = sides::build(&triangles, &own_edges)?;
+        let mut side_of_edge = vec![None; pattern.edges.len()];
+        for ((edge, _), side) in own_edges.iter().zip(side_of_own_edge) {
+            side_of_edge[edge.index()] = Some(side);
+        }
+        for (i, edge) in pattern.edges.iter().enumerate() {
+            if let Some(alias) = edge.alias_of {
+                side_of_edge[i] = side_of_edge[alias.index()];
+            }
+        }
+
+        let nodes = vertex_of_node.len();
+        let sides_of_node = Csr::new(nodes, sides.iter().map(|s| s.nodes.as_slice()), |n| n.index(), SideId::new);
+        let triangles_of_node = Csr::new(nodes, triangles.iter().map(|t| t.as_slice()), |n| n.index(), TriangleId::new);
+        Ok(Self {
+            vertex_of_node,
+            node_of_vertex,
+            sides,
+            side_of_edge,
+            triangles,
+            face_of_triangle,
+            sides_of_node,
+            triangles_of_node,
+        })
+    }
+
+    /// How many nodes there are.
+    #[must_use]
+    pub fn node_count(&self) -> usize {
+        self.vertex_of_node.len()
+    }
+}
+
+/// The pattern's edges that stand for themselves, with their ends.
+fn own_edges(pattern: &CreasePattern) -> impl Iterator<Item = (EdgeId, [VertexId; 2])> {
+    let edges = pattern.edges.iter().enumerate();
+    edges.filter(|(_, e)| e.alias_of.is_none()).map(|(i, e)| (EdgeId::new(i), e.vertices))
+}
+
+fn number_nodes(pattern: &CreasePattern, triangles: &[[VertexId; 3]]) -> (Vec<VertexId>, Vec<Option<NodeId>>) {
+    let mut used = vec![false; pattern.vertices.len()];
+    for vertex in triangles.iter().flatten() {
+        used[vertex.index()] = true;
+    }
+    for (_, ends) in own_edges(pattern) {
+        ends.iter().for_each(|v| used[v.index()] = true);
+    }
+    let mut vertex_of_node = Vec::new();
+    let node_of_vertex = used.iter().enumerate().map(|(i, used)| {
+        used.then(|| {
+            vertex_of_node.push(VertexId::new(i));
+            NodeId::new(vertex_of_node.len() - 1)
+        })
+    });
+    let node_of_vertex = node_of_vertex.collect();
+    (vertex_of_node, node_of_vertex)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::{Assignment, PatternEdge};
+
+    fn edge(a: u32, b: u32) -> PatternEdge {
+        PatternEdge {
+            vertices: [VertexId(a), VertexId(b)],
+            assignment: Assignment::Mountain,
+            fold_angle: Some(-1.0),
+            k_crease: None,
+            ea: None,
+            alias_of: None,
+        }
+    }
+
+    /// A square 0 1 2 3 with the diagonal 0-2 and an isolated vertex 4 between.
+    fn square() -> CreasePattern {
+        CreasePattern {
+            vertices: vec![glam::DVec3::ZERO; 6],
+            edges: vec![edge(0, 1), edge(2, 0), PatternEdge { alias_of: Some(EdgeId(0)), ..edge(1, 0) }],
+            ..CreasePattern::default()
+        }
+    }
+
+    #[test]
+    fn sides_know_their_triangles_in_orientation() {
+        let pattern = square();
+        let triangles = [[0, 1, 2], [0, 2, 5]].map(|t| t.map(VertexId));
+        let mesh = Mesh::new(&pattern, &triangles, vec![FaceId(0); 2]).expect("a square");
+        assert_eq!(mesh.node_count(), 4, "vertices 3 and 4 are isolated");
+        assert_eq!(mesh.node_of_vertex[3], None);
+        assert_eq!(mesh.sides.len(), 5);
+        assert_eq!(mesh.side_of_edge, vec![Some(SideId(0)), Some(SideId(1)), Some(SideId(0))]);
+
+        let diagonal = &mesh.sides[1];
+        // The first triangle has its corners in the order 2, 0, 1: so the side runs from 2 to 0.
+        assert_eq!(diagonal.nodes, [NodeId(2), NodeId(0)]);
+        assert_eq!(diagonal.triangles, [Some(TriangleId(0)), Some(TriangleId(1))]);
+        assert_eq!(diagonal.apexes, [Some(NodeId(1)), Some(NodeId(3))]);
+        assert_eq!(mesh.sides_of_node.of(0).len(), 3);
+        assert_eq!(mesh.triangles_of_node.of(3), &[TriangleId(1)]);
+    }
+
+    #[test]
+    fn a_third_triangle_and_a_wrong_turn_are_refused() {
+        let triangles = [[0, 1, 2], [0, 2, 5], [0, 2, 3]].map(|t| t.map(VertexId));
+        let error = Mesh::new(&square(), &triangles, vec![FaceId(0); 3]).expect_err("three at one side");
+        assert!(error.to_string().contains("nodes 0 and 2"), "{error}");
+        let triangles = [[0, 1, 2], [2, 0, 5]].map(|t| t.map(VertexId));
+        assert!(Mesh::new(&square(), &triangles, vec![FaceId(0); 2]).is_err(), "both run from 2 to 0");
+    }
+}

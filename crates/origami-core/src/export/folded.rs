@@ -1,0 +1,146 @@
+//! Folded sheets as FOLD documents.
+
+use glam::DVec3;
+use serde_json::{Value, json};
+
+use super::CREATOR;
+use super::sheet::{UNCLAMPED, coordinates, number, set_angles, set_topology};
+use crate::error::Error;
+use crate::fold::{Coordinates, Document, Frame};
+use crate::pattern::CreasePattern;
+
+/// Where folding got to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stage {
+    /// How far the sheet was asked to fold: 100 is all the way.
+    pub percent: f64,
+    /// The position of each vertex of the pattern, in the file's unit of length. Those that were merged into another
+    /// are written where that one is, whatever stands here.
+    pub positions: Vec<DVec3>,
+    /// The fold angle reached by each edge of the pattern, in radians, valley positive; `None` for boundaries.
+    pub fold_angles: Vec<Option<f64>>,
+}
+
+/// The folded form as a FOLD document of one frame.
+///
+/// `pattern` is what became of frame `frame` of `source`. Metadata and unknown keys of the source are kept, other
+/// frames dropped. `edges_foldAngle` are the angles reached. Arrays that follow from others (`faces_edges`,
+/// `edges_length`, `faceOrders` and such) are kept where those are as in the source, else dropped.
+/// `origami:percent` says how far the sheet was asked to fold.
+///
+/// # Errors
+/// [`Error::Invalid`] if there is no such frame, or if the stage has not one position for each vertex and one angle
+/// for each edge.
+pub fn folded_form(source: &Document, frame: usize, pattern: &CreasePattern, stage: &Stage) -> Result<Document, Error> {
+    check(pattern, stage)?;
+    let mut key_frame = source.frame(frame)?;
+    set_topology(&mut key_frame, pattern);
+    key_frame.extra.shift_remove(UNCLAMPED);
+    let attributes = folded_attributes(&key_frame);
+    key_frame.extra.insert("frame_attributes".into(), attributes);
+    set_stage(&mut key_frame, pattern, stage);
+    Ok(document(source, key_frame))
+}
+
+/// Folding as a FOLD animation: the key frame is the crease pattern at rest with the angles it was asked for; each stage
+/// is a frame that inherits from it.
+///
+/// The rest is as for [`folded_form`].
+///
+/// # Errors
+/// As for [`folded_form`].
+pub fn animation(
+    source: &Document,
+    frame: usize,
+    pattern: &CreasePattern,
+    stages: &[Stage],
+) -> Result<Document, Error> {
+    let mut key_frame = source.frame(frame)?;
+    set_topology(&mut key_frame, pattern);
+    set_rest(&mut key_frame, pattern);
+    let attributes = folded_attributes(&key_frame);
+    let stages = stages.iter().map(|stage| {
+        check(pattern, stage)?;
+        let mut folded = Frame { parent: Some(0), inherit: true, ..Frame::default() };
+        folded.extra.insert("frame_title".into(), format!("{} %", stage.percent).into());
+        folded.extra.insert("frame_attributes".into(), attributes.clone());
+        if key_frame.extra.contains_key(UNCLAMPED) {
+            // Without its own this frame would inherit those of the crease pattern.
+            folded.extra.insert(UNCLAMPED.into(), Value::Null);
+        }
+        set_stage(&mut folded, pattern, stage);
+        Ok(folded)
+    });
+    let frames = stages.collect::<Result<_, Error>>()?;
+    let mut document = document(source, key_frame);
+    document.classes.push("animation".into());
+    document.frames = frames;
+    Ok(document)
+}
+
+/// A new FOLD document of `pattern`, with two coordinates a vertex where all z are 0.
+#[must_use]
+pub fn crease_pattern_document(pattern: &CreasePattern, title: &str) -> Document {
+    let mut frame = Frame::default();
+    frame.extra.insert("frame_title".into(), title.into());
+    let flat = pattern.vertices.iter().all(|position| position.z == 0.0);
+    frame.extra.insert("frame_attributes".into(), json!([if flat { "2D" } else { "3D" }]));
+    set_topology(&mut frame, pattern);
+    set_rest(&mut frame, pattern);
+    let mut document = document(&Document::default(), frame);
+    document.classes.push("singleModel".into());
+    document
+}
+
+/// `frame` as the only one, with the metadata of `source`.
+fn document(source: &Document, frame: Frame) -> Document {
+    const MANY_FRAMES: [&str; 3] = ["animation", "multiModel", "diagrams"];
+    let mut document = Document {
+        spec: Some(json!(1.2)),
+        classes: source.classes.clone(),
+        metadata: source.metadata.clone(),
+        key_frame: frame,
+        ..Document::default()
+    };
+    document.classes.retain(|class| !MANY_FRAMES.contains(&class.as_str()));
+    document.metadata.insert("file_creator".into(), CREATOR.into());
+    document
+}
+
+/// The crease pattern before it is folded.
+fn set_rest(frame: &mut Frame, pattern: &CreasePattern) {
+    frame.classes = Some(vec!["creasePattern".into()]);
+    frame.extra.shift_remove(UNCLAMPED);
+    let flat = pattern.vertices.iter().all(|position| position.z == 0.0);
+    let write = if flat { Coordinates::planar } else { Coordinates::spatial };
+    frame.vertices_coords = Some(coordinates(pattern, &pattern.vertices, write));
+    set_angles(frame, pattern, |edge| pattern.edges[edge].fold_angle);
+}
+
+fn set_stage(frame: &mut Frame, pattern: &CreasePattern, stage: &Stage) {
+    frame.classes = Some(vec!["foldedForm".into()]);
+    frame.vertices_coords = Some(coordinates(pattern, &stage.positions, Coordinates::spatial));
+    frame.extra.insert("origami:percent".into(), number(stage.percent));
+    set_angles(frame, pattern, |edge| stage.fold_angles[edge]);
+}
+
+/// The attributes of `frame` once it is folded.
+fn folded_attributes(frame: &Frame) -> Value {
+    let old = frame.extra.get("frame_attributes").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+    let kept = old.iter().filter(|&attribute| attribute != "2D" && attribute != "3D").cloned();
+    kept.chain([Value::from("3D")]).collect()
+}
+
+fn check(pattern: &CreasePattern, stage: &Stage) -> Result<(), Error> {
+    let counts = [
+        ("positions", stage.positions.len(), "vertices", pattern.vertices.len()),
+        ("fold angles", stage.fold_angles.len(), "edges", pattern.edges.len()),
+    ];
+    for (what, count, of, expected) in counts {
+        if count != expected {
+            let problem = format!("{count} {what} for {expected} {of}");
+            return Err(Error::invalid(format!("stage at {} %", stage.percent), problem, "as many as the pattern has"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,63 @@
+//! Wavefront OBJ: the faces of the pattern, with texture coordinates from the flat sheet.
+
+use std::io::{self, BufWriter, Write};
+
+use glam::DVec3;
+
+use super::{CREATOR, unwritable};
+use crate::error::Error;
+use crate::pattern::CreasePattern;
+
+/// Writes `positions`, one for each vertex of the pattern, as a Wavefront OBJ file.
+///
+/// Vertices and faces are those of the pattern, in its order. On a flat pattern (all z equal) each vertex has the texture
+/// coordinates of its place on the unfolded sheet, which is scaled to fit the unit square, its aspect kept.
+///
+/// # Errors
+/// [`Error::Invalid`] if the number of positions is not that of the vertices or one is not finite; [`Error::Io`] with
+/// path `-` if writing fails.
+pub fn write_obj(writer: impl Write, pattern: &CreasePattern, positions: &[DVec3]) -> Result<(), Error> {
+    if positions.len() != pattern.vertices.len() {
+        let problem = format!("{} positions for {} vertices", positions.len(), pattern.vertices.len());
+        return Err(Error::invalid("OBJ", problem, "as many as the pattern has"));
+    }
+    if let Some(vertex) = positions.iter().position(|position| !position.is_finite()) {
+        return Err(Error::invalid(format!("vertex {vertex}"), positions[vertex].to_string(), "a finite position"));
+    }
+    write(BufWriter::new(writer), pattern, positions).map_err(unwritable)
+}
+
+fn write(mut writer: impl Write, pattern: &CreasePattern, positions: &[DVec3]) -> io::Result<()> {
+    writeln!(writer, "# {CREATOR}")?;
+    for vertex in 0..positions.len() {
+        let alias = pattern.alias_of.get(vertex).copied().flatten();
+        let DVec3 { x, y, z } = positions[alias.map_or(vertex, |alias| alias.index())];
+        writeln!(writer, "v {x:?} {y:?} {z:?}")?;
+    }
+    let texture = texture_coordinates(&pattern.vertices);
+    for [u, v] in texture.iter().flatten() {
+        writeln!(writer, "vt {u:?} {v:?}")?;
+    }
+    for face in &pattern.faces {
+        writer.write_all(b"f")?;
+        for corner in face {
+            // OBJ counts from 1.
+            let corner = u64::from(corner.0) + 1;
+            match texture {
+                Some(_) => write!(writer, " {corner}/{corner}")?,
+                None => write!(writer, " {corner}")?,
+            }
+        }
+        writeln!(writer)?;
+    }
+    writer.flush()
+}
+
+/// The place of each vertex on the flat sheet, in the unit square; `None` if the sheet is not flat.
+fn texture_coordinates(vertices: &[DVec3]) -> Option<Vec<[f64; 2]>> {
+    let low = vertices.iter().copied().reduce(DVec3::min)?;
+    let high = vertices.iter().copied().reduce(DVec3::max)?;
+    let size = (high - low).truncate().max_element();
+    (high.z == low.z && size > 0.0 && size.is_finite())
+        .then(|| vertices.iter().map(|vertex| ((vertex - low).truncate() / size).to_array()).collect())
+}

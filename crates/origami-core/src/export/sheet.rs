@@ -1,0 +1,124 @@
+//! A crease pattern put into a FOLD frame.
+
+use serde_json::{Map, Value};
+
+use crate::fold::{Coordinates, Frame};
+use crate::ids::{EdgeId, VertexId};
+use crate::pattern::{Assignment, CreasePattern};
+
+/// Fold angles in degrees as they are, where FOLD's range [-180, 180] cannot hold them.
+pub(super) const UNCLAMPED: &str = "edges_origami:foldAngle";
+const K_CREASE: &str = "edges_origami:k_crease";
+const EA: &str = "edges_origami:ea";
+const FIXED: &str = "vertices_origami:fixed";
+
+/// Keys that follow from `edges_vertices`.
+const FROM_EDGES: [&str; 5] = ["vertices_vertices", "vertices_edges", "edges_length", "edges_lengths", "edgeOrders"];
+/// Keys that follow from `edges_vertices` and `faces_vertices`.
+const FROM_FACES: [&str; 5] = ["vertices_faces", "edges_faces", "faces_edges", "faces_faces", "faceOrders"];
+
+/// Sets edges, letters and faces, our own keys with them. Drops keys that followed from others which are no longer the
+/// same: their counts, ends or order changed when the pattern was cleaned.
+pub(super) fn set_topology(frame: &mut Frame, pattern: &CreasePattern) {
+    let edges = pattern.edges.iter().map(|edge| edge.vertices.map(|vertex| vertex.0)).collect();
+    let faces = pattern.faces.iter().map(|face| face.iter().map(|vertex| vertex.0).collect()).collect();
+    let letters = pattern.edges.iter().enumerate().map(|(edge, _)| {
+        match pattern.edges[stand_in_edge(pattern, edge)].assignment {
+            Assignment::Boundary => "B",
+            Assignment::Mountain => "M",
+            Assignment::Valley => "V",
+            Assignment::Flat => "F",
+            Assignment::Unassigned => "U",
+            Assignment::Join => "J",
+        }
+        .to_owned()
+    });
+    let letters = letters.collect();
+
+    let same_vertices = frame.vertices_coords.as_ref().map(Vec::len) == Some(pattern.vertices.len());
+    let same_edges = same_vertices && frame.edges_vertices.as_ref() == Some(&edges);
+    let same_faces = same_edges && frame.faces_vertices.as_ref() == Some(&faces);
+    frame.extra.retain(|key, _| {
+        let key = key.as_str();
+        (same_edges || !FROM_EDGES.contains(&key)) && (same_faces || !FROM_FACES.contains(&key))
+    });
+    frame.edges_vertices = Some(edges);
+    frame.edges_assignment = Some(letters);
+    frame.faces_vertices = Some(faces);
+    set_overrides(&mut frame.extra, pattern);
+}
+
+/// Positions, one for each vertex of the pattern.
+pub(super) fn coordinates(
+    pattern: &CreasePattern,
+    positions: &[glam::DVec3],
+    write: impl Fn(glam::DVec3) -> Coordinates,
+) -> Vec<Coordinates> {
+    (0..positions.len()).map(|vertex| write(positions[stand_in_vertex(pattern, vertex)])).collect()
+}
+
+/// Fold angles given in radians, in degrees. Boundaries have 0, as the specification wants it; others without an angle
+/// have `null`. Angles beyond 180 degrees are cut off there and also kept as they are under [`UNCLAMPED`].
+pub(super) fn set_angles(frame: &mut Frame, pattern: &CreasePattern, angle: impl Fn(usize) -> Option<f64>) {
+    let degrees: Vec<_> = (0..pattern.edges.len())
+        .map(|edge| {
+            let edge = stand_in_edge(pattern, edge);
+            match angle(edge) {
+                None if pattern.edges[edge].assignment == Assignment::Boundary => Some(0.0),
+                angle => angle.map(to_degrees),
+            }
+        })
+        .collect();
+    if frame.extra.contains_key(UNCLAMPED) || degrees.iter().flatten().any(|angle| angle.abs() > 180.0) {
+        frame.extra.insert(UNCLAMPED.into(), degrees.iter().map(|&angle| optional(angle)).collect());
+    }
+    frame.edges_fold_angle = Some(degrees.into_iter().map(|angle| angle.map(|a| a.clamp(-180.0, 180.0))).collect());
+}
+
+/// A number for a key of our own, whole where it is.
+pub(super) fn number(number: f64) -> Value {
+    let whole = number as i32;
+    if f64::from(whole) == number { Value::from(whole) } else { Value::from(number) }
+}
+
+fn optional(value: Option<f64>) -> Value {
+    value.map_or(Value::Null, number)
+}
+
+/// Without the last digits where they come from the way to radians and back: 60, not 59.99999999999999.
+fn to_degrees(radians: f64) -> f64 {
+    let degrees = radians.to_degrees();
+    let rounded = (degrees * 1e9).round() / 1e9;
+    if (degrees - rounded).abs() <= 4.0 * f64::EPSILON * degrees.abs() { rounded } else { degrees }
+}
+
+fn set_overrides(extra: &mut Map<String, Value>, pattern: &CreasePattern) {
+    let per_edge = |value: fn(&crate::pattern::PatternEdge) -> Option<f64>| {
+        let values: Vec<_> =
+            (0..pattern.edges.len()).map(|edge| value(&pattern.edges[stand_in_edge(pattern, edge)])).collect();
+        values.iter().any(Option::is_some).then(|| values.into_iter().map(optional).collect())
+    };
+    let mut fixed = vec![false; pattern.vertices.len()];
+    for vertex in &pattern.fixed {
+        fixed[vertex.index()] = true;
+    }
+    let fixed = (!pattern.fixed.is_empty())
+        .then(|| (0..fixed.len()).map(|vertex| Value::from(fixed[stand_in_vertex(pattern, vertex)])).collect());
+    for (key, values) in [(K_CREASE, per_edge(|edge| edge.k_crease)), (EA, per_edge(|edge| edge.ea)), (FIXED, fixed)] {
+        match values {
+            Some(values) => extra.insert(key.into(), values),
+            None => extra.shift_remove(key),
+        };
+    }
+}
+
+/// The vertex that stands for `vertex`, itself unless it was merged into another.
+fn stand_in_vertex(pattern: &CreasePattern, vertex: usize) -> usize {
+    let alias = pattern.alias_of.get(vertex).copied().flatten();
+    alias.map_or(vertex, VertexId::index)
+}
+
+/// The edge that stands for `edge`, itself unless the file has it twice.
+fn stand_in_edge(pattern: &CreasePattern, edge: usize) -> usize {
+    pattern.edges[edge].alias_of.map_or(edge, EdgeId::index)
+}

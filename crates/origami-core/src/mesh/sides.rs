@@ -1,0 +1,109 @@
+//! Sides of a triangulation, found by sorting rather than hashing.
+
+use crate::error::Error;
+use crate::ids::{EdgeId, NodeId, SideId, TriangleId};
+
+/// A side of the triangulation: a beam, and a crease where two triangles meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Side {
+    /// Its ends, nodes 3 and 4 of a crease: the first triangle, counterclockwise, runs from the first to the second.
+    pub nodes: [NodeId; 2],
+    /// The triangle to its left, then the one to its right.
+    pub triangles: [Option<TriangleId>; 2],
+    /// The corner of each triangle that is not on the side: nodes 1 and 2 of a crease.
+    pub apexes: [Option<NodeId>; 2],
+    /// The pattern's edge; `None` for a diagonal that the triangulation added.
+    pub edge: Option<EdgeId>,
+}
+
+/// Where a side is named: by a pattern edge, or by the corner `corner` of a triangle (opposite to its apex).
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Mention {
+    Edge(u32),
+    Triangle { triangle: u32, corner: u8 },
+}
+
+/// All sides, and the side of each of `edges`: those first, in their order; diagonals follow in the triangles' order.
+pub(super) fn build(
+    triangles: &[[NodeId; 3]],
+    edges: &[(EdgeId, [NodeId; 2])],
+) -> Result<(Vec<Side>, Vec<SideId>), Error> {
+    let mut mentions = Vec::with_capacity(edges.len() + 3 * triangles.len());
+    for (i, (_, ends)) in edges.iter().enumerate() {
+        mentions.push((key(*ends), Mention::Edge(SideId::new(i).0)));
+    }
+    for (t, corners) in triangles.iter().enumerate() {
+        for corner in 0..3_u8 {
+            let mention = Mention::Triangle { triangle: TriangleId::new(t).0, corner };
+            mentions.push((key(ends_of(corners, corner)), mention));
+        }
+    }
+    mentions.sort_unstable();
+
+    let mut sides: Vec<(Mention, Side)> =
+        mentions.chunk_by(|a, b| a.0 == b.0).map(|group| side(group, triangles, edges)).collect::<Result<_, _>>()?;
+    // `Mention::Edge` sorts before `Mention::Triangle`: the pattern's edges come first.
+    sides.sort_unstable_by_key(|(first, _)| *first);
+
+    let mut side_of_edge = vec![SideId(0); edges.len()];
+    for (i, (first, _)) in sides.iter().enumerate() {
+        if let Mention::Edge(e) = first {
+            side_of_edge[*e as usize] = SideId::new(i);
+        }
+    }
+    Ok((sides.into_iter().map(|(_, side)| side).collect(), side_of_edge))
+}
+
+fn side(
+    group: &[([NodeId; 2], Mention)],
+    triangles: &[[NodeId; 3]],
+    edges: &[(EdgeId, [NodeId; 2])],
+) -> Result<(Mention, Side), Error> {
+    let (ends, first) = group[0];
+    let mut side = Side { nodes: ends, triangles: [None; 2], apexes: [None; 2], edge: None };
+    for (_, mention) in group {
+        match *mention {
+            Mention::Edge(_) if side.edge.is_some() => {
+                let [a, b] = ends.map(|n| n.0);
+                return Err(Error::invalid(
+                    format!("the side between nodes {a} and {b}"),
+                    "two edges lie there",
+                    "one edge, the other its alias",
+                ));
+            }
+            Mention::Edge(e) => {
+                side.edge = Some(edges[e as usize].0);
+                side.nodes = edges[e as usize].1;
+            }
+            Mention::Triangle { triangle, corner } => {
+                let corners = &triangles[triangle as usize];
+                let ends = ends_of(corners, corner);
+                let place = usize::from(side.triangles[0].is_some());
+                if place == 0 {
+                    side.nodes = ends;
+                } else if side.triangles[1].is_some() || side.nodes == ends {
+                    let [a, b] = key(ends).map(|n| n.0);
+                    return Err(Error::invalid(
+                        format!("the side between nodes {a} and {b}"),
+                        "more than two triangles meet there, or two lie on the same side of it",
+                        "at most one triangle on each side",
+                    ));
+                }
+                side.triangles[place] = Some(TriangleId(triangle));
+                side.apexes[place] = Some(corners[usize::from(corner)]);
+            }
+        }
+    }
+    Ok((first, side))
+}
+
+/// The side opposite to a corner, in the triangle's direction.
+fn ends_of(corners: &[NodeId; 3], corner: u8) -> [NodeId; 2] {
+    let c = usize::from(corner);
+    [corners[(c + 1) % 3], corners[(c + 2) % 3]]
+}
+
+/// The same for both directions.
+fn key([a, b]: [NodeId; 2]) -> [NodeId; 2] {
+    if a <= b { [a, b] } else { [b, a] }
+}

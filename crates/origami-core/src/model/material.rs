@@ -1,0 +1,47 @@
+//! The five numbers of the paper's section 3.
+
+use crate::error::Error;
+
+/// Stiffness of the sheet. All numbers hold for a sheet scaled to radius 1 with nodes of mass 1 (see [`super::Normalisation`]).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Axial rigidity EA of the beams, a force; a beam of rest length l0 has stiffness EA / l0 (paper 2.2).
+    /// Higher: less strain, smaller time steps, slower convergence. Default 20. Greater than 0.
+    pub ea: f64,
+    /// Stiffness of mountain and valley creases per unit of length (paper 2.3), a force per radian.
+    /// Higher: creases come nearer to their target angles, at the price of strain. Default 0.7. At least 0; 0 leaves them out.
+    pub k_fold: f64,
+    /// Stiffness of facet creases per unit of length, a force per radian. Higher: flatter facets. Default 0.7.
+    /// At least 0; 0 leaves them out.
+    pub k_facet: f64,
+    /// Stiffness of the corner angles of triangles (paper 2.4), a moment per radian. Not scaled with length: on fine meshes
+    /// (edges under 0.02 of the radius) it overtakes the beams. Higher: less shear. Default 0.2. At least 0; 0 leaves them out.
+    pub k_face: f64,
+    /// Damping ratio zeta of the beams (paper 2.5); only [`crate::solve::Dynamics`] has damping. Higher: vibration
+    /// of single beams dies sooner, slow global motion hardly. Default 0.45. At least 0.
+    pub zeta: f64,
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self { ea: 20.0, k_fold: 0.7, k_facet: 0.7, k_face: 0.2, zeta: 0.45 }
+    }
+}
+
+impl Material {
+    /// Whether every number can be simulated.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] naming the first number that is not finite or out of range.
+    pub fn check(&self) -> Result<(), Error> {
+        let at_least_zero =
+            [("k_fold", self.k_fold), ("k_facet", self.k_facet), ("k_face", self.k_face), ("zeta", self.zeta)];
+        if !(self.ea.is_finite() && self.ea > 0.0) {
+            return Err(Error::invalid("material ea", self.ea.to_string(), "a number greater than 0"));
+        }
+        match at_least_zero.iter().find(|(_, x)| !(x.is_finite() && *x >= 0.0)) {
+            Some((name, x)) => Err(Error::invalid(format!("material {name}"), x.to_string(), "a number of at least 0")),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Divergence: found by magnitude, reported with its place, and the last good state handed back.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use super::State;
+use crate::ids::VertexId;
+use crate::model::Model;
+
+/// Positions beyond this many radii make no sense: a sheet of radius 1 cannot reach a tenth of it.
+const FARTHEST: f64 = 100.0;
+/// Nor do moves of more than this many radii in one step.
+const LONGEST_MOVE: f64 = 1.0;
+/// Steps between two copies of the state.
+const COPY_EVERY: u64 = 100;
+/// A state is good to go back to while its nodes lie within this many radii and moved by less than a tenth of one.
+const GOOD_POSITION: f64 = 5.0;
+const GOOD_MOVE: f64 = 0.1;
+
+/// What grew beyond sense.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// The distance of a node from the centre, in radii.
+    Position,
+    /// The way of a node in one step, in radii.
+    Move,
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Position => "distance from the centre",
+            Self::Move => "move in one step",
+        })
+    }
+}
+
+/// The state stopped being finite or grew beyond any sense.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error(
+    "diverged at step {step}: vertex {} has a {quantity} of {value} radii (expected at most {}); \
+     a smaller time step may hold",
+    vertex.0, quantity.limit()
+)]
+pub struct Diverged {
+    /// The first vertex, by number, that is out of bounds.
+    pub vertex: VertexId,
+    /// The step at which it was found.
+    pub step: u64,
+    /// What is out of bounds.
+    pub quantity: Quantity,
+    /// How large it is; may be NaN or infinite.
+    pub value: f64,
+    /// The last copy of the state that was still in bounds by far.
+    pub last_good: Box<State>,
+    /// The step of that copy.
+    pub last_good_step: u64,
+}
+
+impl Quantity {
+    fn limit(self) -> f64 {
+        match self {
+            Self::Position => FARTHEST,
+            Self::Move => LONGEST_MOVE,
+        }
+    }
+}
+
+/// Watches a state from step to step.
+#[derive(Debug)]
+pub(super) struct Guard<'m> {
+    model: &'m Model,
+    last_good: State,
+    last_good_step: u64,
+}
+
+impl<'m> Guard<'m> {
+    pub(super) fn new(model: &'m Model, start: &State) -> Self {
+        Self { model, last_good: start.clone(), last_good_step: 0 }
+    }
+
+    /// Whether one node is where it can be, and came there in a step that it can take. NaN is not.
+    #[inline]
+    pub(super) fn holds(position: DVec3, moved: DVec3) -> bool {
+        Self::within(position, moved, FARTHEST, LONGEST_MOVE)
+    }
+
+    #[inline]
+    fn within(position: DVec3, moved: DVec3, farthest: f64, longest: f64) -> bool {
+        position.length_squared() <= farthest * farthest && moved.length_squared() <= longest * longest
+    }
+
+    /// After step `step`, which moved every node by `time_step` times its velocity: an error where it did not hold;
+    /// now and then a copy of the state.
+    pub(super) fn check(&mut self, holds: bool, step: u64, state: &State, time_step: f64) -> Result<(), Diverged> {
+        if !holds {
+            return Err(self.diverged(step, state, time_step));
+        }
+        if step.is_multiple_of(COPY_EVERY) {
+            let nodes = || state.positions.iter().zip(&state.velocities);
+            if nodes().all(|(p, v)| Self::within(*p, *v * time_step, GOOD_POSITION, GOOD_MOVE)) {
+                self.last_good.clone_from(state);
+                self.last_good_step = step;
+            }
+        }
+        Ok(())
+    }
+
+    fn diverged(&self, step: u64, state: &State, time_step: f64) -> Diverged {
+        let bad = |(_, (p, v)): &(usize, (&DVec3, &DVec3))| !Self::holds(**p, **v * time_step);
+        let nodes = state.positions.iter().zip(&state.velocities).enumerate();
+        let (node, (p, v)) = { nodes }.find(bad).expect("the caller saw a node out of bounds");
+        let (quantity, value) = match p.length() {
+            distance if distance <= FARTHEST => (Quantity::Move, v.length() * time_step),
+            distance => (Quantity::Position, distance),
+        };
+        Diverged {
+            vertex: self.model.mesh.vertex_of_node[node],
+            step,
+            quantity,
+            value,
+            last_good: Box::new(self.last_good.clone()),
+            last_good_step: self.last_good_step,
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! Solvers: from a sheet at rest to the folded one.
+//!
+//! [`Relax`] gives the folded state, [`Dynamics`] the paper's motion. Both are deterministic: the same input gives the
+//! same bits.
+
+mod dynamics;
+mod fire;
+mod guard;
+mod path;
+mod ramp;
+mod relax;
+mod row_sums;
+mod settle;
+mod state;
+pub mod time_step;
+
+pub use dynamics::{Dynamics, Integrator};
+pub use guard::{Diverged, Quantity};
+pub use path::{fold_path, frame_percents};
+pub use relax::{Relax, default_ramp};
+pub use state::State;
+pub use time_step::TimeStep;
+
+use crate::model::{LeftOut, Model};
+
+/// A fold angle past this many degrees means that layers have gone through each other and the state is tangled.
+pub const TANGLED_DEGREES: f64 = 200.0;
+
+/// How many steps a solver takes before it gives up, unless told otherwise.
+pub const DEFAULT_MAX_STEPS: u64 = 100_000;
+
+/// Default tolerance: a distance from the equilibrium, in radii of the sheet.
+pub const DEFAULT_TOLERANCE: f64 = 1e-4;
+
+/// What folds a model.
+pub trait Solver {
+    /// Takes the sheet from `start` to `percent` of the pattern's fold angles. `observe` is told now and then how far
+    /// it has come.
+    ///
+    /// # Errors
+    /// [`Diverged`] where the state stops being finite or grows beyond any sense.
+    fn fold(
+        &self,
+        model: &Model,
+        start: &State,
+        percent: f64,
+        observe: &mut dyn FnMut(Progress),
+    ) -> Result<Folded, Diverged>;
+
+    /// What this solver does without, beyond what the model has left out.
+    fn left_out(&self, model: &Model) -> Vec<LeftOut>;
+}
+
+/// How far a solver has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Force evaluations so far, all attempts together.
+    pub step: u64,
+    /// The share of the way to the target angles at which the springs now pull, 0 to 1.
+    pub ramp: f64,
+    /// Estimated distance from the equilibrium in radii; infinite until there is an estimate.
+    pub distance: f64,
+}
+
+/// Why a solver stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// The state is within the tolerance of the equilibrium.
+    Converged,
+    /// The number of steps asked for has been run.
+    StepsDone,
+    /// The step limit came first.
+    StepLimit,
+}
+
+/// A state that a solver arrived at, and how.
+#[derive(Clone, Debug)]
+pub struct Folded {
+    /// The state.
+    pub state: State,
+    /// Percentage of the pattern's fold angles.
+    pub percent: f64,
+    /// Why it stopped.
+    pub stop: Stop,
+    /// Force evaluations, all attempts together.
+    pub steps: u64,
+    /// The time step at the end: model time for [`Dynamics`], in units of each node's own step for [`Relax`].
+    pub time_step: f64,
+    /// Largest force on a node, in the model's unit of force.
+    pub residual: f64,
+    /// Estimated distance of the farthest vertex from the equilibrium, in radii of the sheet; infinite where there is
+    /// no estimate yet.
+    pub distance: f64,
+    /// Attempts made: 2 where the first ended tangled and was repeated over a longer ramp.
+    pub attempts: u32,
+}
+
+impl Folded {
+    /// Whether the state is within the tolerance of the equilibrium.
+    #[must_use]
+    pub fn converged(&self) -> bool {
+        self.stop == Stop::Converged
+    }
+}

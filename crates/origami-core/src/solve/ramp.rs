@@ -1,0 +1,77 @@
+//! Raising the target angles continuously. Loosely settled stages end in tangled states more often, since every restart
+//! throws the momentum away.
+
+/// Target angles on their way from where they were to where they shall be.
+#[derive(Clone, Debug)]
+pub(super) struct Ramp<'a> {
+    from: &'a [f64],
+    to: Vec<f64>,
+    /// Evaluations that the whole way takes.
+    length: u32,
+    share: f64,
+    /// The targets now, by crease.
+    pub(super) targets: Vec<f64>,
+}
+
+impl<'a> Ramp<'a> {
+    /// From the targets `from` to the targets `to`; `length` 0 is a jump.
+    pub(super) fn new(from: &'a [f64], to: Vec<f64>, length: u32) -> Self {
+        let mut ramp = Self { targets: from.to_vec(), from, to, length, share: 0.0 };
+        if length == 0 || ramp.to == ramp.from {
+            ramp.finish();
+        }
+        ramp
+    }
+
+    /// The share of the way that has been covered, 0 to 1.
+    pub(super) fn share(&self) -> f64 {
+        self.share
+    }
+
+    pub(super) fn done(&self) -> bool {
+        self.share >= 1.0
+    }
+
+    /// One evaluation's worth further.
+    pub(super) fn advance(&mut self) {
+        if self.done() {
+            return;
+        }
+        self.share += 1.0 / f64::from(self.length);
+        // The last of many equal parts: rounding must not add another.
+        if self.share > 1.0 - 0.5 / f64::from(self.length) {
+            self.finish();
+            return;
+        }
+        for ((target, from), to) in self.targets.iter_mut().zip(self.from).zip(&self.to) {
+            *target = from + self.share * (to - from);
+        }
+    }
+
+    fn finish(&mut self) {
+        self.share = 1.0;
+        self.targets.copy_from_slice(&self.to);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn takes_exactly_its_length_and_ends_exactly() {
+        for length in [1, 2, 3, 7, 1000, 3333] {
+            let from = [0.1, -3.0];
+            let mut ramp = Ramp::new(&from, vec![2.3, 0.7], length);
+            let mut steps = 0;
+            while !ramp.done() {
+                ramp.advance();
+                steps += 1;
+            }
+            assert_eq!(steps, length);
+            assert_eq!(ramp.targets, vec![2.3, 0.7]);
+        }
+        assert!(Ramp::new(&[0.0], vec![1.0], 0).done(), "a jump is over at once");
+        assert!(Ramp::new(&[1.0], vec![1.0], 5).done(), "there is no way to go");
+    }
+}

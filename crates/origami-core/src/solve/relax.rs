@@ -1,0 +1,145 @@
+//! Relaxation: the folded state, without the motion that leads to it.
+
+use super::fire::Fire;
+use super::guard::{Diverged, Guard};
+use super::ramp::Ramp;
+use super::settle::Settling;
+use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, Solver, State, Stop};
+use crate::forces::Forces;
+use crate::model::{LeftOut, Model};
+
+/// The ramp stops while a crease turns by more than this in one evaluation, in radians.
+const HOLD: f64 = 0.1;
+/// How much longer the ramp of a second attempt is.
+const LONGER_RAMP: u32 = 3;
+/// Evaluations between two reports of progress.
+const REPORT: u64 = 50;
+
+/// FIRE on row-sum masses while the target angles rise continuously; the default solver.
+///
+/// A state that ends tangled is folded once more over a longer ramp, and the one of lower energy is kept. Nothing
+/// promises that it is the only equilibrium: folding is path dependent.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relax {
+    /// Distance from the equilibrium at which it stops, in radii of the sheet. Smaller: more evaluations.
+    /// Default 1e-4.
+    pub tolerance: f64,
+    /// Evaluations over which the target angles rise; 0 is a jump. Longer: fewer tangled states, more evaluations.
+    /// Default: [`default_ramp`].
+    pub ramp: Option<u32>,
+    /// Evaluations after which it gives up, for each attempt. Default 100 000.
+    pub max_steps: u64,
+    /// Run exactly so many evaluations instead, in one attempt. Default: until it has converged.
+    pub steps: Option<u64>,
+    /// Whether a tangled state is folded once more over a longer ramp. Default true.
+    pub retry: bool,
+}
+
+impl Default for Relax {
+    fn default() -> Self {
+        Self { tolerance: DEFAULT_TOLERANCE, ramp: None, max_steps: DEFAULT_MAX_STEPS, steps: None, retry: true }
+    }
+}
+
+/// The default ramp of a model: 1000 evaluations up to 300 nodes, then growing with the square root of the size, since
+/// a wave needs that many to cross the sheet.
+#[must_use]
+pub fn default_ramp(model: &Model) -> u32 {
+    let share = model.node_count() as f64 / 300.0;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 1000 * sqrt(2^32 / 300)")]
+    let ramp = (1000.0 * share.max(1.0).sqrt()) as u32;
+    ramp
+}
+
+impl Solver for Relax {
+    fn fold(
+        &self,
+        model: &Model,
+        start: &State,
+        percent: f64,
+        observe: &mut dyn FnMut(Progress),
+    ) -> Result<Folded, Diverged> {
+        let ramp = self.ramp.unwrap_or_else(|| default_ramp(model));
+        let first = self.attempt(model, start, percent, ramp, observe)?;
+        let tangled_already = start.tangled_creases() > 0;
+        if !self.retry || self.steps.is_some() || tangled_already || first.state.tangled_creases() == 0 {
+            return Ok(first);
+        }
+        let steps = first.steps;
+        let mut observe = |progress: Progress| observe(Progress { step: steps + progress.step, ..progress });
+        let longer = ramp.max(default_ramp(model)).saturating_mul(LONGER_RAMP);
+        let second = self.attempt(model, start, percent, longer, &mut observe)?;
+        let steps = steps + second.steps;
+        let better = second.state.energy(model).total() < first.state.energy(model).total();
+        let kept = if better { second } else { first };
+        Ok(Folded { steps, attempts: 2, ..kept })
+    }
+
+    fn left_out(&self, _: &Model) -> Vec<LeftOut> {
+        let why = "a relaxation seeks the equilibrium, which does not depend on it";
+        vec![LeftOut { what: "damping", count: 0, why }]
+    }
+}
+
+impl Relax {
+    /// From the sheet at rest to `percent` of the pattern's fold angles.
+    ///
+    /// # Errors
+    /// [`Diverged`] where the state stops being finite or grows beyond any sense.
+    pub fn fold_from_rest(&self, model: &Model, percent: f64) -> Result<Folded, Diverged> {
+        self.fold(model, &State::at_rest(model), percent, &mut |_| {})
+    }
+
+    fn attempt(
+        &self,
+        model: &Model,
+        start: &State,
+        percent: f64,
+        ramp: u32,
+        observe: &mut dyn FnMut(Progress),
+    ) -> Result<Folded, Diverged> {
+        let mut state = State { velocities: vec![glam::DVec3::ZERO; model.node_count()], ..start.clone() };
+        let mut ramp = Ramp::new(&start.targets, model.targets(percent), ramp);
+        let mut forces = Forces::new(model);
+        let mut fire = Fire::new(model);
+        let mut guard = Guard::new(model, start);
+        let mut settling = Settling::new(self.tolerance);
+        let mut before = state.fold_angles.clone();
+
+        let limit = self.steps.unwrap_or(self.max_steps);
+        let mut steps = 0;
+        let stop = loop {
+            if steps >= limit {
+                break if self.steps.is_some() { Stop::StepsDone } else { Stop::StepLimit };
+            }
+            if !ramp.done() {
+                let turns = state.fold_angles.iter().zip(&before).map(|(now, then)| (now - then).abs());
+                if turns.fold(0.0, f64::max) <= HOLD {
+                    ramp.advance();
+                }
+                before.copy_from_slice(&state.fold_angles);
+            }
+            let values = forces.evaluate(&state.positions, &ramp.targets, &mut state.fold_angles);
+            steps += 1;
+            if ramp.done() && settling.observe(&state.positions, values) && self.steps.is_none() {
+                break Stop::Converged;
+            }
+            let holds = fire.advance(&mut state, values);
+            guard.check(holds, steps, &state, fire.step())?;
+            if steps.is_multiple_of(REPORT) {
+                observe(Progress { step: steps, ramp: ramp.share(), distance: settling.distance() });
+            }
+        };
+
+        state.velocities.fill(glam::DVec3::ZERO);
+        state.targets = ramp.targets;
+        let residual = largest(forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles));
+        let (time_step, distance) = (fire.step(), settling.distance());
+        Ok(Folded { state, percent, stop, steps, time_step, residual, distance, attempts: 1 })
+    }
+}
+
+/// The largest force, in the model's unit of force.
+pub(super) fn largest(forces: &[glam::DVec3]) -> f64 {
+    forces.iter().map(|f| f.length()).fold(0.0, f64::max)
+}

@@ -1,0 +1,47 @@
+//! The state of a sheet in motion.
+
+use glam::DVec3;
+
+use crate::forces::Energy;
+use crate::model::Model;
+
+/// Everything that a solver carries from step to step. Fold angles are a part of it: positions alone do not tell how
+/// often a crease has turned.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// By node, in radii of the sheet.
+    pub positions: Vec<DVec3>,
+    /// By node, in radii per unit of time; zero after a relaxation.
+    pub velocities: Vec<DVec3>,
+    /// Angles reached, by crease, in radians.
+    pub fold_angles: Vec<f64>,
+    /// Angles asked for, by crease, in radians.
+    pub targets: Vec<f64>,
+}
+
+impl State {
+    /// The sheet as the file gives it, asked to stay as it is.
+    #[must_use]
+    pub fn at_rest(model: &Model) -> Self {
+        let rest_angles: Vec<f64> = model.creases.iter().map(|c| c.rest_angle).collect();
+        Self {
+            positions: model.rest.clone(),
+            velocities: vec![DVec3::ZERO; model.node_count()],
+            fold_angles: rest_angles.clone(),
+            targets: rest_angles,
+        }
+    }
+
+    /// Energy by kind of spring.
+    #[must_use]
+    pub fn energy(&self, model: &Model) -> Energy {
+        Energy::of(model, &self.positions, &self.fold_angles, &self.targets)
+    }
+
+    /// How many creases are folded past [`super::TANGLED_DEGREES`].
+    #[must_use]
+    pub fn tangled_creases(&self) -> usize {
+        let limit = super::TANGLED_DEGREES.to_radians();
+        self.fold_angles.iter().filter(|angle| angle.abs() > limit).count()
+    }
+}

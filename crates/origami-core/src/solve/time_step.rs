@@ -1,0 +1,48 @@
+//! Time steps of [`super::Dynamics`]: the paper's, and one that holds.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use super::row_sums::row_sums;
+use crate::forces::damping;
+use crate::model::Model;
+
+/// How long a step of [`super::Dynamics`] is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TimeStep {
+    /// [`paper`]: what the reference program takes. Blows up on thin triangles, hubs, stiff creases.
+    Paper,
+    /// [`safe`], renewed as the geometry changes.
+    Safe,
+    /// So many units of model time.
+    Fixed(f64),
+}
+
+/// The paper's step (2.5): `0.9 / (2 pi omega)` with omega the largest `sqrt(k)` of a beam, masses 1.
+///
+/// It is no bound: creases, corner angles, valence and damping are not in it.
+#[must_use]
+pub fn paper(model: &Model) -> f64 {
+    let stiffest = model.beams.iter().map(|b| b.stiffness).fold(0.0, f64::max);
+    0.9 / (2.0 * PI * stiffest.sqrt())
+}
+
+/// 0.9 of the longest step for which `K dt^2 + 2 D dt < 4`, with K the largest row sum of the stiffness at `positions`
+/// and D the largest sum of twice the damping coefficients at a node.
+#[must_use]
+pub fn safe(model: &Model, positions: &[DVec3]) -> f64 {
+    let mut sums = vec![0.0; model.node_count()];
+    row_sums(model, positions, &mut sums);
+    let stiffness = sums.iter().fold(0.0, |a: f64, b| a.max(*b));
+
+    sums.fill(0.0);
+    for (beam, c) in model.beams.iter().zip(damping::coefficients(model)) {
+        for n in beam.nodes {
+            sums[n.index()] += 2.0 * c;
+        }
+    }
+    let damping = sums.iter().fold(0.0, |a: f64, b| a.max(*b));
+    // (-D + sqrt(D^2 + 4 K)) / K without the difference of nearly equal numbers.
+    0.9 * 4.0 / (damping + (damping * damping + 4.0 * stiffness).sqrt())
+}

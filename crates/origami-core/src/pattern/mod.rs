@@ -1,8 +1,34 @@
 //! The crease pattern: a sheet of simple polygons and lettered edges, cleaned of what files get wrong.
+//!
+//! [`CreasePattern::from_frame`] goes through these steps, one file each: read letters, angles and overrides; take the
+//! faces that the file gives and orient them, or build them from the planar graph (merge, split, trace, tell paper from
+//! holes); settle letters and angles; open the cuts.
+
+mod angles;
+mod boxes;
+mod build;
+mod check;
+mod cuts;
+pub(crate) mod dihedral;
+mod draft;
+mod faces_given;
+mod letters;
+mod loops;
+mod notes;
+mod orient;
+mod overrides;
+mod paper;
+pub(crate) mod places;
+mod planar;
+pub(crate) mod plane;
+pub(crate) mod region;
+mod sides;
+mod table;
 
 use glam::DVec3;
 
-use crate::error::Warning;
+use crate::error::{Error, Warning};
+use crate::fold::Frame;
 use crate::ids::{EdgeId, VertexId};
 
 /// What a line of the pattern is (FOLD's `edges_assignment`; paper section 2.1).
@@ -59,4 +85,37 @@ pub struct CreasePattern {
     pub edges_in_file: usize,
     /// What was odd in the file and put right.
     pub warnings: Vec<Warning>,
+}
+
+impl CreasePattern {
+    /// The crease pattern that `frame` describes, with parents already resolved.
+    ///
+    /// What files get wrong is put right, each time with a [`Warning`] that names the place, or refused:
+    /// - Letters: lower case is accepted, an unknown letter counts as `U`. Without letters they follow from the fold
+    ///   angles; an edge of one face is boundary. A letter other than `B` on the contour becomes `B`.
+    /// - Angles: without them M folds to -180 degrees, V to 180, F and J to 0. A `null` is a free crease. On a sheet that
+    ///   is not flat, missing angles are measured from the coordinates.
+    /// - Faces that the file gives are turned to agree with their neighbours. Missing faces are built, on flat patterns,
+    ///   from the lines: vertices nearer than two millionths of the size are merged, lines are split where they cross
+    ///   or where a vertex lies on them, and the regions inside the boundary edges, less the holes, are the paper.
+    /// - The sheet comes apart along cuts (`C`): they become pairs of boundary edges, with copies of the vertices.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for what has no sensible reading: arrays of unequal length, indices out of range, edges of no
+    /// length, edges of three faces, a sheet that cannot be oriented, no faces at all.
+    pub fn from_frame(frame: &Frame) -> Result<Self, Error> {
+        build::build(frame)
+    }
+
+    /// The longest side of the box, along the axes, that holds all vertices; 0 without vertices. In the file's unit.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        plane::extent(&self.vertices).max_element()
+    }
+
+    /// Whether all vertices lie at one height z, to a billionth of the [`size`](Self::size).
+    #[must_use]
+    pub fn is_flat(&self) -> bool {
+        plane::is_flat(&self.vertices)
+    }
 }

@@ -1,0 +1,179 @@
+//! From a FOLD frame to a crease pattern, step by step.
+
+use glam::DVec3;
+
+use super::angles::Keys;
+use super::draft::{Draft, DraftEdge, EdgeMap, GivenAngle, Origin};
+use super::letters::{self, Letter};
+use super::notes::Notes;
+use super::sides::Sides;
+use super::{CreasePattern, PatternEdge, angles, cuts, faces_given, orient, overrides, paper, planar, plane, sides};
+use crate::error::Error;
+use crate::fold::Frame;
+use crate::ids::{EdgeId, VertexId};
+
+/// Most entries of an array: leaves room in `u32` for what is appended.
+const MOST: usize = 1 << 27;
+/// Sizes beyond ten to this power, up or down, overflow when lengths are multiplied.
+const RANGE: i32 = 100;
+
+/// Builds the pattern.
+pub(super) fn build(frame: &Frame) -> Result<CreasePattern, Error> {
+    let mut notes = Notes::default();
+    let vertices = vertices(frame)?;
+    let edges = edges(frame, vertices.len(), &mut notes)?;
+    let in_file = [vertices.len(), edges.len()];
+    let scale = plane::unit_scale(size(&vertices)?);
+    let mut draft = Draft {
+        flat: plane::is_flat(&vertices),
+        points: vertices.iter().map(|&vertex| vertex * scale).collect(),
+        vertex_alias: vec![None; vertices.len()],
+        fixed: overrides::fixed(frame, vertices.len())?,
+        edges,
+        faces: Vec::new(),
+        notes,
+    };
+    let sides = faces(&mut draft, frame)?;
+    note_isolated(&mut draft);
+    let keys = Keys { letters: frame.edges_assignment.is_some(), angles: frame.edges_fold_angle.is_some() };
+    angles::settle(&mut draft, &sides, keys);
+    cuts::open(&mut draft, &sides);
+    Ok(finish(draft, vertices, in_file, scale))
+}
+
+fn vertices(frame: &Frame) -> Result<Vec<DVec3>, Error> {
+    let coords = frame.vertices_coords.as_deref().unwrap_or_default();
+    if coords.is_empty() {
+        return Err(Error::invalid("vertices_coords", "is missing or empty", "the positions of the vertices"));
+    }
+    countable("vertices_coords", coords.len())?;
+    let position = |(index, coords): (usize, &crate::fold::Coordinates)| {
+        let finite = coords.position.is_finite().then_some(coords.position);
+        finite.ok_or_else(|| Error::invalid(format!("vertices_coords[{index}]"), "is not finite", "numbers"))
+    };
+    coords.iter().enumerate().map(position).collect()
+}
+
+fn countable(key: &str, count: usize) -> Result<(), Error> {
+    if count <= MOST {
+        return Ok(());
+    }
+    Err(Error::invalid(key, format!("has {count} entries"), format!("at most {MOST}")))
+}
+
+fn size(vertices: &[DVec3]) -> Result<f64, Error> {
+    let size = plane::extent(vertices).max_element();
+    if size == 0.0 {
+        return Err(Error::invalid("vertices_coords", "all vertices lie at one place", "a sheet with an area"));
+    }
+    let (least, most) = (10f64.powi(-RANGE), 10f64.powi(RANGE));
+    if (least..=most).contains(&size) {
+        return Ok(size);
+    }
+    Err(Error::invalid(
+        "vertices_coords",
+        format!("the pattern is {size:e} in size"),
+        format!("between {least:e} and {most:e}"),
+    ))
+}
+
+fn edges(frame: &Frame, vertices: usize, notes: &mut Notes) -> Result<Vec<DraftEdge>, Error> {
+    let ends = frame.edges_vertices.as_deref().unwrap_or_default();
+    let count = ends.len();
+    countable("edges_vertices", count)?;
+    let letters = letters::read(frame, count, notes)?;
+    let angles = given_angles(frame, count)?;
+    let k_crease = overrides::edge_numbers(frame, overrides::K_CREASE, count)?;
+    let ea = overrides::edge_numbers(frame, overrides::EA, count)?;
+    let mut edges = Vec::with_capacity(count);
+    for (index, &ends) in ends.iter().enumerate() {
+        let refuse = |problem, expected| Err(Error::invalid(format!("edges_vertices[{index}]"), problem, expected));
+        if let Some(vertex) = ends.into_iter().find(|&vertex| vertex as usize >= vertices) {
+            return refuse(format!("vertex {vertex} does not exist"), format!("numbers below {vertices}"));
+        }
+        if ends[0] == ends[1] {
+            return refuse(format!("joins vertex {} to itself", ends[0]), "two different vertices".into());
+        }
+        edges.push(DraftEdge {
+            ends,
+            letter: letters[index],
+            given: angles[index],
+            fold_angle: None,
+            k_crease: k_crease[index],
+            ea: ea[index],
+            alias: None,
+            origin: Origin::File(index as u32),
+        });
+    }
+    Ok(edges)
+}
+
+fn given_angles(frame: &Frame, edges: usize) -> Result<Vec<GivenAngle>, Error> {
+    let Some(angles) = &frame.edges_fold_angle else { return Ok(vec![GivenAngle::Absent; edges]) };
+    letters::same_length("edges_foldAngle", angles.len(), edges)?;
+    let given = |(index, angle): (usize, &Option<f64>)| match *angle {
+        None => Ok(GivenAngle::Free),
+        Some(degrees) if degrees.is_finite() => Ok(GivenAngle::Degrees(degrees)),
+        Some(_) => Err(Error::invalid(format!("edges_foldAngle[{index}]"), "is not finite", "degrees, or null")),
+    };
+    angles.iter().enumerate().map(given).collect()
+}
+
+/// Takes the faces that the file gives, or builds them.
+fn faces(draft: &mut Draft, frame: &Frame) -> Result<Sides, Error> {
+    let faces = frame.faces_vertices.as_deref().unwrap_or_default();
+    if faces.is_empty() {
+        if draft.edges.is_empty() {
+            let problem = "is missing or empty, and so is faces_vertices";
+            return Err(Error::invalid("edges_vertices", problem, "edges, or faces, or both"));
+        }
+        if !draft.flat {
+            let problem = "is missing, and the vertices do not lie in one plane of constant z";
+            return Err(Error::invalid("faces_vertices", problem, "the faces of a sheet in space"));
+        }
+        let mut map = planar::arrange(draft)?;
+        return paper::build_faces(draft, &mut map);
+    }
+    countable("faces_vertices", faces.iter().map(Vec::len).sum())?;
+    // A line between two faces that a list of edges leaves out is no crease.
+    let unlisted = (!draft.edges.is_empty()).then_some(Letter::Join);
+    let mut map: EdgeMap = faces_given::take(draft, faces)?;
+    let sides = sides::collect(draft, &mut map, unlisted)?;
+    if orient::orient(draft, &sides)? {
+        return sides::collect(draft, &mut map, unlisted);
+    }
+    Ok(sides)
+}
+
+fn note_isolated(draft: &mut Draft) {
+    let mut used: Vec<bool> = draft.vertex_alias.iter().map(Option::is_some).collect();
+    let ends = draft.edges.iter().filter(|edge| edge.alias.is_none()).flat_map(|edge| edge.ends);
+    ends.for_each(|vertex| used[vertex as usize] = true);
+    for (vertex, _) in used.iter().enumerate().filter(|(_, used)| !**used) {
+        draft.notes.add("vertices_coords", vertex, "belongs to no edge and no face; it stays where it is");
+    }
+}
+
+/// The finished pattern. Vertices of the file keep their exact coordinates.
+fn finish(draft: Draft, mut vertices: Vec<DVec3>, in_file: [usize; 2], scale: f64) -> CreasePattern {
+    vertices.extend(draft.points[vertices.len()..].iter().map(|&point| point / scale));
+    let edge = |edge: DraftEdge| PatternEdge {
+        vertices: edge.ends.map(VertexId),
+        assignment: edge.letter.unwrap_or(Letter::Unassigned).assignment(),
+        fold_angle: edge.fold_angle,
+        k_crease: edge.k_crease,
+        ea: edge.ea,
+        alias_of: edge.alias.map(EdgeId),
+    };
+    let live_fixed = |&v: &usize| draft.fixed[v] && draft.vertex_alias[v].is_none();
+    CreasePattern {
+        fixed: (0..vertices.len()).filter(live_fixed).map(VertexId::new).collect(),
+        vertices,
+        alias_of: draft.vertex_alias.into_iter().map(|alias| alias.map(VertexId)).collect(),
+        edges: draft.edges.into_iter().map(edge).collect(),
+        faces: draft.faces.into_iter().map(|face| face.into_iter().map(VertexId).collect()).collect(),
+        vertices_in_file: in_file[0],
+        edges_in_file: in_file[1],
+        warnings: draft.notes.into_warnings(),
+    }
+}

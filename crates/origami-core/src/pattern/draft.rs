@@ -1,0 +1,131 @@
+//! The pattern while it is being built: plain indices, and coordinates scaled to a size near one.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::letters::Letter;
+use super::notes::Notes;
+
+/// A pattern in the making.
+#[derive(Debug)]
+pub(super) struct Draft {
+    /// Positions, scaled by a power of two (so exactly) to a size between 1/2 and 1.
+    pub(super) points: Vec<DVec3>,
+    /// All at one height z.
+    pub(super) flat: bool,
+    /// The vertex that this one was merged into.
+    pub(super) vertex_alias: Vec<Option<u32>>,
+    /// Vertices that do not move.
+    pub(super) fixed: Vec<bool>,
+    pub(super) edges: Vec<DraftEdge>,
+    pub(super) faces: Vec<Vec<u32>>,
+    pub(super) notes: Notes,
+}
+
+/// An edge in the making.
+#[derive(Clone, Debug)]
+pub(super) struct DraftEdge {
+    pub(super) ends: [u32; 2],
+    /// `None`: the file gives no letters.
+    pub(super) letter: Option<Letter>,
+    pub(super) given: GivenAngle,
+    /// In radians, once settled.
+    pub(super) fold_angle: Option<f64>,
+    pub(super) k_crease: Option<f64>,
+    pub(super) ea: Option<f64>,
+    pub(super) alias: Option<u32>,
+    pub(super) origin: Origin,
+}
+
+/// What `edges_foldAngle` says of an edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum GivenAngle {
+    /// There is no such key.
+    Absent,
+    /// `null`: a free crease.
+    Free,
+    /// In degrees.
+    Degrees(f64),
+}
+
+/// What an edge was made from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Origin {
+    /// An edge of the file, or a piece of it.
+    File(u32),
+    /// A side of a face that `edges_vertices` does not list.
+    Face(u32),
+}
+
+impl Origin {
+    /// Its place under an edge key such as `edges_vertices`.
+    pub(super) fn place(self, key: &str) -> String {
+        match self {
+            Self::File(edge) => format!("{key}[{edge}]"),
+            Self::Face(face) => format!("faces_vertices[{face}]"),
+        }
+    }
+}
+
+impl DraftEdge {
+    /// An edge that the file does not list, between vertices of face `face`.
+    pub(super) fn new(ends: [u32; 2], letter: Option<Letter>, face: usize) -> Self {
+        Self {
+            ends,
+            letter,
+            given: GivenAngle::Absent,
+            fold_angle: None,
+            k_crease: None,
+            ea: None,
+            alias: None,
+            origin: Origin::Face(face as u32),
+        }
+    }
+}
+
+/// The live edge between two vertices.
+#[derive(Debug, Default)]
+pub(super) struct EdgeMap(HashMap<(u32, u32), u32>);
+
+impl EdgeMap {
+    pub(super) fn get(&self, [a, b]: [u32; 2]) -> Option<usize> {
+        self.0.get(&(a.min(b), a.max(b))).map(|&edge| edge as usize)
+    }
+
+    /// Enters edge `index`, unless another edge has these ends: then that one is returned and stays.
+    pub(super) fn enter(&mut self, [a, b]: [u32; 2], index: usize) -> Option<usize> {
+        let first = *self.0.entry((a.min(b), a.max(b))).or_insert(index as u32) as usize;
+        (first != index).then_some(first)
+    }
+}
+
+impl Draft {
+    /// Appends a vertex at `point`.
+    pub(super) fn push_vertex(&mut self, point: DVec3, fixed: bool) -> u32 {
+        self.points.push(point);
+        self.vertex_alias.push(None);
+        self.fixed.push(fixed);
+        (self.points.len() - 1) as u32
+    }
+
+    /// Lets edge `first` stand also for `other`, which has the same ends. Mountain and valley win over letters that do
+    /// not drive; otherwise the first letter stays.
+    pub(super) fn absorb(&mut self, first: usize, other: &DraftEdge) {
+        let edge = &mut self.edges[first];
+        if edge.letter != other.letter {
+            let (kept, added) = (edge.origin, other.origin);
+            let show = |letter: Option<Letter>| letter.map_or("none", Letter::name);
+            let (a, b) = (show(edge.letter), show(other.letter));
+            self.notes.add_with("given to one line; a mountain or valley wins, otherwise the first letter", || {
+                (added.place("edges_assignment"), format!("{b}, and {a} at {},", kept.place("edges_assignment")))
+            });
+        } else {
+            let place = other.origin.place("edges_vertices");
+            self.notes.add_with("line given more than once; the first stands for all", || (place, String::new()));
+        }
+        if other.letter.is_some_and(Letter::drives) && !edge.letter.is_some_and(Letter::wins_over_driving) {
+            *edge = DraftEdge { ends: edge.ends, origin: edge.origin, alias: None, ..other.clone() };
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Keys of our own: stiffness of single edges, fixed vertices.
+
+use serde_json::Value;
+
+use super::letters::same_length;
+use crate::error::Error;
+use crate::fold::Frame;
+
+/// Stiffness of a crease per unit of length, in place of the material's.
+pub(super) const K_CREASE: &str = "edges_origami:k_crease";
+/// Axial rigidity of an edge, in place of the material's.
+pub(super) const EA: &str = "edges_origami:ea";
+/// Vertices that do not move.
+pub(super) const FIXED: &str = "vertices_origami:fixed";
+
+/// One number, or none, for each edge.
+pub(super) fn edge_numbers(frame: &Frame, key: &str, edges: usize) -> Result<Vec<Option<f64>>, Error> {
+    let Some(value) = frame.extra.get(key) else { return Ok(vec![None; edges]) };
+    let entries = array(key, value)?;
+    same_length(key, entries.len(), edges)?;
+    let number = |(index, entry): (usize, &Value)| match entry {
+        Value::Null => Ok(None),
+        _ => match entry.as_f64().filter(|number| number.is_finite() && *number >= 0.0) {
+            Some(number) => Ok(Some(number)),
+            None => Err(wrong(key, index, entry, "a number that is not negative, or null")),
+        },
+    };
+    entries.iter().enumerate().map(number).collect()
+}
+
+/// Whether each vertex is fixed.
+pub(super) fn fixed(frame: &Frame, vertices: usize) -> Result<Vec<bool>, Error> {
+    let Some(value) = frame.extra.get(FIXED) else { return Ok(vec![false; vertices]) };
+    let entries = array(FIXED, value)?;
+    if entries.len() != vertices {
+        let problem = format!("has {} entries where vertices_coords has {vertices}", entries.len());
+        return Err(Error::invalid(FIXED, problem, "one entry for each vertex"));
+    }
+    let flag = |(index, entry): (usize, &Value)| match (entry.as_bool(), entry.as_f64()) {
+        (Some(flag), _) => Ok(flag),
+        (None, Some(0.0)) => Ok(false),
+        (None, Some(1.0)) => Ok(true),
+        _ => Err(wrong(FIXED, index, entry, "true or false (or 1 or 0)")),
+    };
+    entries.iter().enumerate().map(flag).collect()
+}
+
+fn array<'a>(key: &str, value: &'a Value) -> Result<&'a Vec<Value>, Error> {
+    value.as_array().ok_or_else(|| Error::invalid(key, "is not an array", "an array"))
+}
+
+fn wrong(key: &str, index: usize, entry: &Value, expected: &str) -> Error {
+    let shown: String = entry.to_string().chars().take(24).collect();
+    Error::invalid(format!("{key}[{index}]"), format!("is {shown}"), expected)
+}

@@ -1,0 +1,241 @@
+//! Lines of a flat pattern made into a planar graph: vertices merged, lines split where they cross or touch.
+
+use glam::{DVec2, DVec3};
+
+use super::boxes::{Bounds, BoxTree};
+use super::draft::{Draft, DraftEdge, EdgeMap};
+use super::places::Places;
+use super::plane::orient;
+use crate::error::Error;
+
+/// What is nearer than this, in sizes of the pattern, touches. Files with six digits are off by as much.
+const TOUCH: f64 = 2e-6;
+/// Splitting a line moves it by as much as `TOUCH`, so that it may meet others: then there is another round.
+const ROUNDS: usize = 32;
+/// More pieces than this are refused.
+const MOST_PIECES: usize = 1 << 23;
+
+/// A piece of an edge.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    ends: [u32; 2],
+    edge: u32,
+    /// Not yet compared with the others.
+    fresh: bool,
+}
+
+/// A vertex on a piece, at a fraction of its length.
+struct Split {
+    piece: u32,
+    at: f64,
+    vertex: u32,
+}
+
+/// Merges vertices, and splits edges where they meet. The first piece of an edge keeps its number; the others are
+/// appended. Edges that fall on another, or vanish, become aliases.
+pub(super) fn arrange(draft: &mut Draft) -> Result<EdgeMap, Error> {
+    let mut graph = Graph::new(draft);
+    let mut pieces = Vec::with_capacity(draft.edges.len());
+    for (index, edge) in draft.edges.iter().enumerate() {
+        let ends = edge.ends.map(|v| draft.vertex_alias[v as usize].unwrap_or(v));
+        if ends[0] != ends[1] {
+            pieces.push(Piece { ends, edge: index as u32, fresh: true });
+        }
+    }
+    for _ in 0..ROUNDS {
+        let splits = graph.meetings(&pieces)?;
+        if splits.is_empty() {
+            graph.append_crossings(draft);
+            return Ok(rebuild_edges(draft, &pieces));
+        }
+        pieces = cut_at(&pieces, splits);
+    }
+    Err(crowded())
+}
+
+fn crowded() -> Error {
+    Error::invalid("edges_vertices", "lines cross too densely to be told apart", "a crease pattern, or faces_vertices")
+}
+
+/// Vertices in the plane.
+struct Graph {
+    points: Vec<DVec2>,
+    places: Places,
+}
+
+impl Graph {
+    fn new(draft: &mut Draft) -> Self {
+        let points: Vec<_> = draft.points.iter().map(|p| p.truncate()).collect();
+        let origin = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
+        let mut places = Places::new(origin, TOUCH, points.len());
+        for (index, &point) in points.iter().enumerate() {
+            if let Some(first) = places.find(point) {
+                draft.vertex_alias[index] = Some(first);
+                draft.fixed[first as usize] |= draft.fixed[index];
+                draft.notes.add("vertices_coords", index, "lies on another vertex; the two are one");
+            } else {
+                places.insert(index as u32, point);
+            }
+        }
+        Self { points, places }
+    }
+
+    fn ends(&self, piece: &Piece) -> [DVec2; 2] {
+        piece.ends.map(|v| self.points[v as usize])
+    }
+
+    /// Where fresh pieces meet any others.
+    fn meetings(&mut self, pieces: &[Piece]) -> Result<Vec<Split>, Error> {
+        let bounds: Vec<_> = pieces.iter().map(|piece| Bounds::of(self.ends(piece)[0], self.ends(piece)[1])).collect();
+        let tree = BoxTree::new(&bounds);
+        let mut splits = Vec::new();
+        let mut near = Vec::new();
+        for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| piece.fresh) {
+            let [a, b] = self.ends(piece);
+            let own = bounds[index].grown(TOUCH);
+            let wanted = |other: &Bounds| own.overlaps(other) && !other.grown(TOUCH).misses_line(a, b - a);
+            near.clear();
+            tree.visit(wanted, |other| {
+                if other != index && !(pieces[other].fresh && other < index) && own.overlaps(&bounds[other]) {
+                    near.push(other);
+                }
+            });
+            near.sort_unstable();
+            for &other in &near {
+                self.meet(pieces, index, other, &mut splits);
+            }
+            if splits.len() > MOST_PIECES {
+                return Err(crowded());
+            }
+        }
+        Ok(splits)
+    }
+
+    /// Splits for pieces `i` and `j`: at ends that lie on the other one, else where they cross.
+    fn meet(&mut self, pieces: &[Piece], i: usize, j: usize, splits: &mut Vec<Split>) {
+        let before = splits.len();
+        for (end, line) in [(i, j), (j, i)] {
+            for vertex in pieces[end].ends {
+                if !pieces[line].ends.contains(&vertex) {
+                    let at = self.touches(vertex, &pieces[line]);
+                    splits.extend(at.map(|at| Split { piece: line as u32, at, vertex }));
+                }
+            }
+        }
+        let share = pieces[i].ends.iter().any(|v| pieces[j].ends.contains(v));
+        if share || splits.len() > before {
+            return;
+        }
+        let ([a, b], [c, d]) = (self.ends(&pieces[i]), self.ends(&pieces[j]));
+        let (at_a, at_b) = (orient(c, d, a), orient(c, d, b));
+        let (at_c, at_d) = (orient(a, b, c), orient(a, b, d));
+        if (at_a > 0.0) == (at_b > 0.0) || (at_c > 0.0) == (at_d > 0.0) {
+            return;
+        }
+        let (t, u) = (at_a / (at_a - at_b), at_c / (at_c - at_d));
+        let vertex = self.vertex_at(a + t * (b - a));
+        for (piece, at) in [(i, t), (j, u)] {
+            if !pieces[piece].ends.contains(&vertex) {
+                splits.push(Split { piece: piece as u32, at, vertex });
+            }
+        }
+    }
+
+    /// At which fraction of the line the vertex lies, if it lies on it and between its ends.
+    fn touches(&self, vertex: u32, line: &Piece) -> Option<f64> {
+        let point = self.points[vertex as usize];
+        let [a, b] = self.ends(line);
+        let along = b - a;
+        let at = (point - a).dot(along) / along.length_squared();
+        let inside = at > 0.0 && at < 1.0 && (a + at * along).distance(point) <= TOUCH;
+        inside.then_some(at)
+    }
+
+    fn vertex_at(&mut self, point: DVec2) -> u32 {
+        self.places.find(point).unwrap_or_else(|| {
+            let id = self.points.len() as u32;
+            self.places.insert(id, point);
+            self.points.push(point);
+            id
+        })
+    }
+
+    fn append_crossings(&self, draft: &mut Draft) {
+        let z = draft.points.first().map_or(0.0, |point| point.z);
+        for point in &self.points[draft.points.len()..] {
+            draft.push_vertex(DVec3::new(point.x, point.y, z), false);
+        }
+    }
+}
+
+/// The pieces that remain when each is cut at its splits, in order along its edge.
+fn cut_at(pieces: &[Piece], mut splits: Vec<Split>) -> Vec<Piece> {
+    splits.sort_by_key(|split| (split.piece, split.vertex));
+    splits.dedup_by_key(|split| (split.piece, split.vertex));
+    splits.sort_by(|a, b| a.piece.cmp(&b.piece).then(a.at.total_cmp(&b.at)));
+    let mut splits = splits.into_iter().peekable();
+    let mut result = Vec::with_capacity(pieces.len() + splits.len());
+    for (index, piece) in pieces.iter().enumerate() {
+        let mut from = piece.ends[0];
+        let mut fresh = false;
+        while let Some(split) = splits.next_if(|split| split.piece as usize == index) {
+            result.push(Piece { ends: [from, split.vertex], edge: piece.edge, fresh: true });
+            from = split.vertex;
+            fresh = true;
+        }
+        result.push(Piece { ends: [from, piece.ends[1]], edge: piece.edge, fresh });
+    }
+    result
+}
+
+/// Edges from pieces.
+fn rebuild_edges(draft: &mut Draft, pieces: &[Piece]) -> EdgeMap {
+    let mut map = EdgeMap::default();
+    let mut at = pieces.iter().peekable();
+    let mut vanished = Vec::new();
+    for index in 0..draft.edges.len() {
+        let whole = draft.edges[index].clone();
+        let mut first = true;
+        while let Some(piece) = at.next_if(|piece| piece.edge as usize == index) {
+            let part = DraftEdge { ends: piece.ends, ..whole.clone() };
+            let number = if first { index } else { draft.edges.len() };
+            let standing = map.enter(piece.ends, number);
+            match standing {
+                Some(standing) => draft.absorb(standing, &part),
+                None if first => draft.edges[index] = part,
+                None => draft.edges.push(part),
+            }
+            if first {
+                draft.edges[index].alias = standing.map(|edge| edge as u32);
+            }
+            first = false;
+        }
+        if first {
+            vanished.push(index);
+        }
+    }
+    replace_vanished(draft, &vanished);
+    map
+}
+
+/// Lets an edge at the same vertex, or any edge, stand for each of those whose ends were merged.
+fn replace_vanished(draft: &mut Draft, vanished: &[usize]) {
+    if vanished.is_empty() {
+        return;
+    }
+    let mut edge_at: Vec<Option<u32>> = vec![None; draft.points.len()];
+    let mut gone = vanished.iter().copied().peekable();
+    let mut any = None;
+    for (index, edge) in draft.edges.iter().enumerate() {
+        if gone.next_if_eq(&index).is_none() && edge.alias.is_none() {
+            any = any.or(Some(index as u32));
+            edge.ends.iter().for_each(|&v| edge_at[v as usize] = edge_at[v as usize].or(Some(index as u32)));
+        }
+    }
+    for &index in vanished {
+        let vertex = draft.edges[index].ends[0];
+        let vertex = draft.vertex_alias[vertex as usize].unwrap_or(vertex);
+        draft.edges[index].alias = edge_at[vertex as usize].or(any);
+        draft.notes.add("edges_vertices", index, "edge without length; left out");
+    }
+}

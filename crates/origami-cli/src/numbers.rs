@@ -22,6 +22,11 @@ pub(crate) fn share(x: f64) -> String {
     format!("{} %", short(100.0 * x))
 }
 
+/// As it is, such as `90` or `33.3`; tiny and huge ones as `1e300`.
+pub(crate) fn plain(x: f64) -> String {
+    if x == 0.0 || (1e-6..1e9).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
+}
+
 /// In groups of three digits, such as `1 240`.
 pub(crate) fn grouped(n: u64) -> String {
     let digits = n.to_string();
@@ -69,6 +74,11 @@ mod tests {
             assert_eq!(short(x), text);
         }
         assert_eq!(share(0.0041), "0.41 %");
+    }
+
+    #[test]
+    fn plain_numbers_stay_short() {
+        assert_eq!([0.0, -90.0, 33.25, 1e300, 2e-9].map(plain), ["0", "-90", "33.25", "1e300", "2e-9"]);
     }
 
     #[test]

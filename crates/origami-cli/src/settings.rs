@@ -4,6 +4,7 @@ use origami::model::Material;
 use origami::solve::{Dynamics, Integrator, Relax, Solver, TimeStep, frame_percents, time_step};
 
 use crate::args::{BackendName, FoldArgs, IntegratorName, SolverName};
+use crate::numbers::plain;
 
 /// How every input of a run is folded.
 pub(crate) struct Settings {
@@ -76,7 +77,7 @@ pub(crate) fn oddities(args: &FoldArgs) -> Vec<String> {
     let solving = &args.solving;
     let mut oddities = Vec::new();
     if args.percent.abs() > 100.0 {
-        oddities.push(format!("--percent {}: folds past the pattern's own angles", args.percent));
+        oddities.push(format!("--percent {}: folds past the pattern's own angles", plain(args.percent)));
     }
     if solving.solver == SolverName::Relax {
         let given = [

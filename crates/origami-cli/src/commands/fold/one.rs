@@ -9,6 +9,7 @@ use origami::{CreasePattern, Error};
 use super::summary::{self, Told};
 use crate::exit::Exit;
 use crate::files::{self, Input, Sheet, Target};
+use crate::numbers::plain;
 use crate::report::{Divergence, Ending, Measured, Report, Run, Scene, Seconds};
 use crate::settings::Settings;
 
@@ -88,7 +89,7 @@ fn attempt(
                 ..Measured::default()
             };
             run.diverged = Some(Divergence::from(&failed.diverged));
-            told.errors.push(format!("{input}: at {} %: {}", failed.percent, failed.diverged));
+            told.errors.push(format!("{input}: at {} %: {}", plain(failed.percent), failed.diverged));
             return Ok((Exit::Diverged, run));
         }
     };

@@ -6,7 +6,7 @@ use origami::Warning;
 use origami::solve::Folded;
 
 use crate::files::Input;
-use crate::numbers::{count, duration, grouped, share, short};
+use crate::numbers::{count, duration, grouped, plain, share, short};
 use crate::report::{Ending, Run};
 
 /// What a person is told about one input.
@@ -22,7 +22,7 @@ pub(super) struct Told {
 /// max 2.1 %, 12 ms`.
 pub(super) fn line(run: &Run) -> String {
     let measured = &run.measured;
-    let mut line = format!("{}: folded to {} %", run.input, measured.percent);
+    let mut line = format!("{}: folded to {} %", run.input, plain(measured.percent));
     if let Some(frames) = &run.frames {
         line += &format!(" in {}", count(frames.len(), "frame", "frames"));
     }
@@ -59,7 +59,7 @@ pub(super) fn not_converged(input: &Input, folded: &Folded, tolerance: f64) -> S
     format!(
         "{input}: not converged at {} % after {} steps: {distance}, expected {}; the output says so; \
          more --max-steps or a larger --tolerance may help",
-        folded.percent,
+        plain(folded.percent),
         grouped(folded.steps),
         short(tolerance),
     )

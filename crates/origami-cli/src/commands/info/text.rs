@@ -6,7 +6,7 @@ use std::fmt::Write;
 use serde_json::Value;
 
 use super::facts::{Facts, File, ModelFacts, Pattern};
-use crate::numbers::{count, grouped, short};
+use crate::numbers::{self, count, grouped, short};
 
 /// One line a fact, those of one kind under a heading.
 pub(super) fn of(facts: &Facts) -> String {
@@ -49,7 +49,7 @@ fn pattern(text: &mut String, pattern: &Pattern) -> std::fmt::Result {
     let faces = count(pattern.faces, "face", "faces");
     let shape = if pattern.flat { "flat" } else { "in space" };
     writeln!(text, "  as read     {vertices}, {edges}{}, {faces}", bracketed(&pattern.letters))?;
-    write!(text, "  sheet       {shape}, longest side {}", pattern.size)?;
+    write!(text, "  sheet       {shape}, longest side {}", numbers::plain(pattern.size))?;
     if pattern.fixed > 0 {
         write!(text, ", {} fixed", count(pattern.fixed, "vertex", "vertices"))?;
     }

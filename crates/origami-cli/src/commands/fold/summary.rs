@@ -43,7 +43,7 @@ pub(super) fn line(run: &Run) -> String {
         line += &format!(", tangled ({} folded past 200 degrees)", count(tangled, "crease", "creases"));
     }
     if measured.attempts > 1 {
-        line += ", folded again over a longer ramp";
+        line += &format!(", the best of {} attempts", measured.attempts);
     }
     let seconds = run.seconds;
     let total = seconds.read + seconds.build + seconds.solve + seconds.write;

@@ -7,6 +7,7 @@ mod dynamics;
 mod fire;
 mod guard;
 mod path;
+mod perturb;
 mod ramp;
 mod relax;
 mod row_sums;

@@ -2,6 +2,7 @@
 
 use super::fire::Fire;
 use super::guard::{Diverged, Guard};
+use super::perturb::perturb;
 use super::ramp::Ramp;
 use super::settle::Settling;
 use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, Solver, State, Stop};
@@ -33,11 +34,22 @@ pub struct Relax {
     pub steps: Option<u64>,
     /// Whether a tangled state is folded again, over a longer ramp and then in a jump. Default true.
     pub retry: bool,
+    /// How far each node is moved at the start, as a share of its shortest beam, so that a symmetric sheet does not stay
+    /// on the saddle between two ways to buckle; nothing moves where nothing is to be folded. Larger: saddles are left
+    /// sooner; 0: none. Default 1e-4.
+    pub perturbation: f64,
 }
 
 impl Default for Relax {
     fn default() -> Self {
-        Self { tolerance: DEFAULT_TOLERANCE, ramp: None, max_steps: DEFAULT_MAX_STEPS, steps: None, retry: true }
+        Self {
+            tolerance: DEFAULT_TOLERANCE,
+            ramp: None,
+            max_steps: DEFAULT_MAX_STEPS,
+            steps: None,
+            retry: true,
+            perturbation: 1e-4,
+        }
     }
 }
 
@@ -71,7 +83,8 @@ impl Solver for Relax {
             }
             let so_far = kept.steps;
             let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
-            let other = self.attempt(model, start, percent, ramp, &mut observe)?;
+            // The state at hand is finite: another way that diverges does not take it away.
+            let Ok(other) = self.attempt(model, start, percent, ramp, &mut observe) else { continue };
             let steps = so_far + other.steps;
             let lower = other.state.energy(model).total() < kept.state.energy(model).total();
             kept = Folded { steps, attempts, ..if lower { other } else { kept } };
@@ -103,11 +116,15 @@ impl Relax {
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Diverged> {
         let mut state = State { velocities: vec![glam::DVec3::ZERO; model.node_count()], ..start.clone() };
-        let mut ramp = Ramp::new(&start.targets, model.targets(percent), ramp);
+        let targets = model.targets(percent);
+        if self.perturbation > 0.0 && targets != start.targets {
+            perturb(model, &mut state.positions, self.perturbation);
+        }
+        let mut ramp = Ramp::new(&start.targets, targets, ramp);
         let mut forces = Forces::new(model);
         let mut fire = Fire::new(model);
         let mut guard = Guard::new(model, start);
-        let mut settling = Settling::new(self.tolerance);
+        let mut settling = Settling::new(model, self.tolerance);
         let mut before = state.fold_angles.clone();
 
         let limit = self.steps.unwrap_or(self.max_steps);

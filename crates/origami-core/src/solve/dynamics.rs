@@ -67,11 +67,11 @@ impl Solver for Dynamics {
         let mut ramp = Ramp::new(&start.targets, model.targets(percent), self.ramp);
         let mut forces = Forces::new(model);
         let damping = if model.material.zeta > 0.0 { damping::coefficients(model) } else { Vec::new() };
-        let mut clock = Clock::new(self.time_step, model);
+        let mut clock = Clock::new(self, model);
         let verlet_nodes = if self.integrator == Integrator::Verlet { model.node_count() } else { 0 };
         let mut accelerations = vec![DVec3::ZERO; verlet_nodes];
         let mut guard = Guard::new(model, start);
-        let mut settling = Settling::new(self.tolerance);
+        let mut settling = Settling::new(model, self.tolerance);
 
         let limit = self.steps.unwrap_or(self.max_steps);
         let mut steps = 0;
@@ -166,23 +166,24 @@ fn holds(state: &State, dt: f64) -> bool {
 /// The step, and its renewal.
 struct Clock {
     rule: TimeStep,
+    integrator: Integrator,
     dt: f64,
     /// The step before; 0 at first.
     previous: f64,
 }
 
 impl Clock {
-    fn new(rule: TimeStep, model: &Model) -> Self {
-        let dt = match rule {
+    fn new(solver: &Dynamics, model: &Model) -> Self {
+        let dt = match solver.time_step {
             TimeStep::Paper | TimeStep::Safe => time_step::paper(model),
             TimeStep::Fixed(dt) => dt,
         };
-        Self { rule, dt, previous: 0.0 }
+        Self { rule: solver.time_step, integrator: solver.integrator, dt, previous: 0.0 }
     }
 
     fn step(&mut self, model: &Model, state: &State, steps: u64) -> f64 {
         if self.rule == TimeStep::Safe && steps.is_multiple_of(RENEWAL) {
-            self.dt = time_step::safe(model, &state.positions);
+            self.dt = time_step::safe(model, &state.positions, self.integrator);
         }
         self.dt
     }

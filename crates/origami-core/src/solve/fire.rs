@@ -9,12 +9,12 @@ use super::row_sums::row_sums;
 use crate::model::Model;
 
 const FIRST_STEP: f64 = 0.42;
-const LONGEST_STEP: f64 = 1.4;
+const LONGEST_STEP: f64 = 1.5;
 const SHORTEST_STEP: f64 = 0.028;
 const LONGER: f64 = 1.1;
 const SHORTER: f64 = 0.5;
 /// How much the velocity is turned towards the force, and how that share decays while it goes downhill.
-const MIXING: f64 = 0.1;
+const MIXING: f64 = 0.15;
 const LESS_MIXING: f64 = 0.99;
 /// Downhill steps before the step may grow.
 const PATIENCE: u32 = 5;

@@ -7,6 +7,7 @@ mod dynamics;
 mod fire;
 mod guard;
 mod path;
+mod perturb;
 mod ramp;
 mod relax;
 mod row_sums;
@@ -91,7 +92,7 @@ pub struct Folded {
     /// Estimated distance of the farthest vertex from the equilibrium, in radii of the sheet; infinite where there is
     /// no estimate yet.
     pub distance: f64,
-    /// Attempts made: 2 where the first ended tangled and was repeated over a longer ramp.
+    /// Attempts made: 2 or 3 where the first ended tangled and the sheet was folded again in another way.
     pub attempts: u32,
 }
 

@@ -2,6 +2,7 @@
 
 use super::fire::Fire;
 use super::guard::{Diverged, Guard};
+use super::perturb::perturb;
 use super::ramp::Ramp;
 use super::settle::Settling;
 use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, Solver, State, Stop};
@@ -10,15 +11,15 @@ use crate::model::{LeftOut, Model};
 
 /// The ramp stops while a crease turns by more than this in one evaluation, in radians.
 const HOLD: f64 = 0.1;
-/// How much longer the ramp of a second attempt is.
+/// How much longer the ramp of a second attempt is; the third is a jump, which goes another way altogether.
 const LONGER_RAMP: u32 = 3;
 /// Evaluations between two reports of progress.
 const REPORT: u64 = 50;
 
 /// FIRE on row-sum masses while the target angles rise continuously; the default solver.
 ///
-/// A state that ends tangled is folded once more over a longer ramp, and the one of lower energy is kept. Nothing
-/// promises that it is the only equilibrium: folding is path dependent.
+/// A state that ends tangled is folded once more over a longer ramp, then in a jump, and the one of lowest energy is
+/// kept. Nothing promises that it is the only equilibrium: folding is path dependent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relax {
     /// Distance from the equilibrium at which it stops, in radii of the sheet. Smaller: more evaluations.
@@ -31,13 +32,24 @@ pub struct Relax {
     pub max_steps: u64,
     /// Run exactly so many evaluations instead, in one attempt. Default: until it has converged.
     pub steps: Option<u64>,
-    /// Whether a tangled state is folded once more over a longer ramp. Default true.
+    /// Whether a tangled state is folded again, over a longer ramp and then in a jump. Default true.
     pub retry: bool,
+    /// How far each node is moved at the start, as a share of its shortest beam, so that a symmetric sheet does not stay
+    /// on the saddle between two ways to buckle; nothing moves where nothing is to be folded. Larger: saddles are left
+    /// sooner; 0: none. Default 1e-4.
+    pub perturbation: f64,
 }
 
 impl Default for Relax {
     fn default() -> Self {
-        Self { tolerance: DEFAULT_TOLERANCE, ramp: None, max_steps: DEFAULT_MAX_STEPS, steps: None, retry: true }
+        Self {
+            tolerance: DEFAULT_TOLERANCE,
+            ramp: None,
+            max_steps: DEFAULT_MAX_STEPS,
+            steps: None,
+            retry: true,
+            perturbation: 1e-4,
+        }
     }
 }
 
@@ -60,19 +72,24 @@ impl Solver for Relax {
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Diverged> {
         let ramp = self.ramp.unwrap_or_else(|| default_ramp(model));
-        let first = self.attempt(model, start, percent, ramp, observe)?;
-        let tangled_already = start.tangled_creases() > 0;
-        if !self.retry || self.steps.is_some() || tangled_already || first.state.tangled_creases() == 0 {
-            return Ok(first);
+        let mut kept = self.attempt(model, start, percent, ramp, observe)?;
+        if !self.retry || self.steps.is_some() || start.tangled_creases() > 0 {
+            return Ok(kept);
         }
-        let steps = first.steps;
-        let mut observe = |progress: Progress| observe(Progress { step: steps + progress.step, ..progress });
         let longer = ramp.max(default_ramp(model)).saturating_mul(LONGER_RAMP);
-        let second = self.attempt(model, start, percent, longer, &mut observe)?;
-        let steps = steps + second.steps;
-        let better = second.state.energy(model).total() < first.state.energy(model).total();
-        let kept = if better { second } else { first };
-        Ok(Folded { steps, attempts: 2, ..kept })
+        for (ramp, attempts) in [(longer, 2), (0, 3)] {
+            if kept.state.tangled_creases() == 0 {
+                break;
+            }
+            let so_far = kept.steps;
+            let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
+            // The state at hand is finite: another way that diverges does not take it away.
+            let Ok(other) = self.attempt(model, start, percent, ramp, &mut observe) else { continue };
+            let steps = so_far + other.steps;
+            let lower = other.state.energy(model).total() < kept.state.energy(model).total();
+            kept = Folded { steps, attempts, ..if lower { other } else { kept } };
+        }
+        Ok(kept)
     }
 
     fn left_out(&self, _: &Model) -> Vec<LeftOut> {
@@ -99,11 +116,15 @@ impl Relax {
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Diverged> {
         let mut state = State { velocities: vec![glam::DVec3::ZERO; model.node_count()], ..start.clone() };
-        let mut ramp = Ramp::new(&start.targets, model.targets(percent), ramp);
+        let targets = model.targets(percent);
+        if self.perturbation > 0.0 && targets != start.targets {
+            perturb(model, &mut state.positions, self.perturbation);
+        }
+        let mut ramp = Ramp::new(&start.targets, targets, ramp);
         let mut forces = Forces::new(model);
         let mut fire = Fire::new(model);
         let mut guard = Guard::new(model, start);
-        let mut settling = Settling::new(self.tolerance);
+        let mut settling = Settling::new(model, self.tolerance);
         let mut before = state.fold_angles.clone();
 
         let limit = self.steps.unwrap_or(self.max_steps);

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::forces::Energy;
+use crate::forces::{Energy, creases};
 use crate::model::Model;
 
 /// Everything that a solver carries from step to step. Fold angles are a part of it: positions alone do not tell how
@@ -30,6 +30,20 @@ impl State {
             fold_angles: rest_angles.clone(),
             targets: rest_angles,
         }
+    }
+
+    /// The sheet with its nodes at `positions` (in radii, by node), at rest and asked to stay as it is; fold angles are
+    /// taken within half a turn. From here a solver seeks the equilibrium nearby: so one seeds a branch, or a second
+    /// stable state.
+    ///
+    /// # Panics
+    /// If there are not as many positions as nodes.
+    #[must_use]
+    pub fn at(model: &Model, positions: Vec<DVec3>) -> Self {
+        assert_eq!(positions.len(), model.node_count(), "one position for each node");
+        let fold_angles = creases::fold_angles(model, &positions, &vec![0.0; model.creases.len()]);
+        let velocities = vec![DVec3::ZERO; positions.len()];
+        Self { positions, velocities, targets: fold_angles.clone(), fold_angles }
     }
 
     /// Energy by kind of spring.

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
+use super::Integrator;
 use super::row_sums::row_sums;
 use crate::forces::damping;
 use crate::model::Model;
@@ -29,9 +30,10 @@ pub fn paper(model: &Model) -> f64 {
 }
 
 /// 0.9 of the longest step for which `K dt^2 + 2 D dt < 4`, with K the largest row sum of the stiffness at `positions`
-/// and D the largest sum of twice the damping coefficients at a node.
+/// and D the largest sum of twice the damping coefficients at a node. [`Integrator::Verlet`], whose damping is that of an
+/// extrapolated velocity, bears half as much of it: `K dt^2 + 4 D dt < 4`.
 #[must_use]
-pub fn safe(model: &Model, positions: &[DVec3]) -> f64 {
+pub fn safe(model: &Model, positions: &[DVec3], integrator: Integrator) -> f64 {
     let mut sums = vec![0.0; model.node_count()];
     row_sums(model, positions, &mut sums);
     let stiffness = sums.iter().fold(0.0, |a: f64, b| a.max(*b));
@@ -42,7 +44,11 @@ pub fn safe(model: &Model, positions: &[DVec3]) -> f64 {
             sums[n.index()] += 2.0 * c;
         }
     }
-    let damping = sums.iter().fold(0.0, |a: f64, b| a.max(*b));
+    let share = match integrator {
+        Integrator::Euler => 1.0,
+        Integrator::Verlet => 2.0,
+    };
+    let damping = share * sums.iter().fold(0.0, |a: f64, b| a.max(*b));
     // (-D + sqrt(D^2 + 4 K)) / K without the difference of nearly equal numbers.
     0.9 * 4.0 / (damping + (damping * damping + 4.0 * stiffness).sqrt())
 }

@@ -1,0 +1,168 @@
+//! `origami fold`.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use origami::solve::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, TimeStep};
+
+use super::MaterialArgs;
+use super::values::{finite, positive, time_step};
+use crate::files::Format;
+
+const EXAMPLES: &str = "\
+Examples:
+  origami fold crane.fold -o folded.fold                   Fold all the way
+  origami fold crane.fold --percent 90 -o a.fold -o a.obj  To 90 %, as two files
+  origami fold crane.fold --frames 20 -o film.fold         An animation of 20 stages
+  origami fold *.fold -o out/ --format obj --report r.json Many at once, into a folder
+  origami fold - -o - < crane.fold > folded.fold           As a filter
+  origami fold crane.fold --solver dynamics --time-step paper --percent 60 --steps 300 -o a.fold
+                                                           300 steps of the paper's own scheme
+
+Exit codes:
+  0  done and converged, or the asked number of steps done
+  1  bad input or usage
+  2  the state diverged; no geometry is written and older files stay as they were
+  3  the step limit came before convergence; the output is written and says so
+  Of several inputs the most severe counts, in the order 1, 2, 3, 0; none stops the others.";
+
+/// Fold crease patterns.
+///
+/// Reads FOLD files, folds each sheet to a percentage of its fold angles and writes the folded form. The units and the
+/// numbering of vertices, edges and faces are those of the input. A line on standard output says whether it converged,
+/// how strained the sheet is and how long it took. Files are written whole or not at all.
+#[derive(Args)]
+#[command(after_help = EXAMPLES, override_usage = "origami fold [OPTIONS] <INPUT>... -o <OUT>")]
+pub(crate) struct FoldArgs {
+    /// FOLD files with crease patterns; `-` is standard input
+    #[arg(value_name = "INPUT", required = true)]
+    pub(crate) inputs: Vec<PathBuf>,
+
+    /// Where to write; can be given more than once
+    ///
+    /// The extension tells the format: .fold, .obj or .stl (binary). `-` is FOLD on standard output. A folder (one that
+    /// exists, or a path that ends in `/`, which is made) takes one file for each input, with the name of the input;
+    /// several inputs need one.
+    #[arg(short, long = "output", value_name = "OUT", required_unless_present = "report")]
+    pub(crate) outputs: Vec<PathBuf>,
+
+    /// Formats of the files in folders [default: fold]
+    #[arg(long = "format", value_name = "FORMAT", value_delimiter = ',')]
+    pub(crate) formats: Vec<Format>,
+
+    /// How far to fold: 100 is all the way, 0 flat, -100 the other way
+    #[arg(long, value_name = "P", value_parser = finite, default_value_t = 100.0, allow_negative_numbers = true)]
+    pub(crate) percent: f64,
+
+    /// Settle N stages after the flat one, and write an animation
+    ///
+    /// The stages are evenly spaced up to the percentage. FOLD files then hold all of them, OBJ and STL files the last.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub(crate) frames: Option<u32>,
+
+    /// Which frame of the input to fold: 0 is the key frame [default: the first with vertex positions]
+    #[arg(long, value_name = "N")]
+    pub(crate) frame: Option<usize>,
+
+    /// Write what was built, done and measured as JSON; `-` is standard output
+    ///
+    /// One object for one input, an array for several. docs/REPORT.md has the keys.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) report: Option<PathBuf>,
+
+    /// How many inputs to fold at once [default: as many as there are processors]
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<NonZeroUsize>,
+
+    /// Say nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+
+    /// The way of solving.
+    #[command(flatten)]
+    pub(crate) solving: SolvingArgs,
+
+    /// The paper.
+    #[command(flatten)]
+    pub(crate) material: MaterialArgs,
+}
+
+/// Options of the solver.
+#[derive(Args)]
+#[command(next_help_heading = "Solver")]
+pub(crate) struct SolvingArgs {
+    /// What computes
+    #[arg(long, value_enum, value_name = "BACKEND", default_value_t = BackendName::Auto)]
+    pub(crate) backend: BackendName,
+
+    /// How the folded state is found
+    #[arg(long, value_enum, value_name = "SOLVER", default_value_t = SolverName::Relax)]
+    pub(crate) solver: SolverName,
+
+    /// Distance from the equilibrium at which to stop, in units of the sheet's radius
+    #[arg(long, value_name = "T", value_parser = positive, default_value_t = DEFAULT_TOLERANCE)]
+    pub(crate) tolerance: f64,
+
+    /// Steps after which to give up, for each stage and attempt
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_MAX_STEPS)]
+    pub(crate) max_steps: u64,
+
+    /// Run exactly N steps, converged or not; with --frames, N for each stage
+    #[arg(long, value_name = "N")]
+    pub(crate) steps: Option<u64>,
+
+    /// Steps over which the fold angles rise; 0 is a jump [default: dynamics 0; relax 1000, more above 300 vertices]
+    #[arg(long, value_name = "N")]
+    pub(crate) ramp: Option<u32>,
+
+    /// Length of a step of dynamics: `paper`, `safe` or a number [default: paper]
+    ///
+    /// `paper` is the paper's, which blows up on thin triangles, hubs and stiff creases. `safe` is a bound that holds,
+    /// renewed as the sheet folds. A number is in units of the model's time.
+    #[arg(long, value_name = "paper|safe|SECONDS", value_parser = time_step, allow_negative_numbers = true)]
+    pub(crate) time_step: Option<TimeStep>,
+
+    /// How dynamics steps through time [default: euler]
+    #[arg(long, value_enum, value_name = "INTEGRATOR")]
+    pub(crate) integrator: Option<IntegratorName>,
+}
+
+/// What computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum BackendName {
+    /// The best there is
+    Auto,
+    /// The processor
+    Cpu,
+    /// The graphics card; not in this build
+    Gpu,
+}
+
+/// How the folded state is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SolverName {
+    /// Straight to the folded state, by FIRE
+    Relax,
+    /// The paper's motion through time; slow to converge
+    Dynamics,
+}
+
+impl SolverName {
+    /// As on the command line.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Relax => "relax",
+            Self::Dynamics => "dynamics",
+        }
+    }
+}
+
+/// How dynamics steps through time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum IntegratorName {
+    /// The paper's, of first order
+    Euler,
+    /// Velocity Verlet, of second order
+    Verlet,
+}

@@ -1,0 +1,39 @@
+//! `origami info`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::MaterialArgs;
+
+const EXAMPLES: &str = "\
+Examples:
+  origami info crane.fold
+  origami info crane.fold --json | jq .model.time_step.paper
+  origami fold crane.fold -o - --quiet | origami info -
+
+Exit codes: 0 the pattern can be folded, 1 it cannot.";
+
+/// Tell what is in a FOLD file and what a model of it would hold.
+///
+/// Frames, vertices, edges by letter, faces, what is odd about them, what a model would build and leave out, and its
+/// time steps. Nothing is folded.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct InfoArgs {
+    /// A FOLD file; `-` is standard input
+    #[arg(value_name = "INPUT")]
+    pub(crate) input: PathBuf,
+
+    /// Which frame holds the pattern: 0 is the key frame [default: the first with vertex positions]
+    #[arg(long, value_name = "N")]
+    pub(crate) frame: Option<usize>,
+
+    /// As JSON; docs/REPORT.md has the keys
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// The paper.
+    #[command(flatten)]
+    pub(crate) material: MaterialArgs,
+}

@@ -1,0 +1,73 @@
+//! The command line, one file a command. Defaults of the simulation come from the library.
+
+mod fold;
+mod info;
+mod material;
+mod pattern;
+mod values;
+
+pub(crate) use fold::{BackendName, FoldArgs, IntegratorName, SolverName};
+pub(crate) use info::InfoArgs;
+pub(crate) use material::MaterialArgs;
+pub(crate) use pattern::PatternArgs;
+
+use clap::{CommandFactory, Parser, Subcommand};
+use clap_complete::Shell;
+
+/// Folds origami crease patterns: the bar-and-hinge method of Ghassaei, Demaine and Gershenfeld (2018), with the truth
+/// about convergence and error.
+#[derive(Parser)]
+#[command(
+    name = "origami",
+    bin_name = "origami",
+    version,
+    max_term_width = 100,
+    disable_help_subcommand = true,
+    after_help = EXAMPLES
+)]
+pub(crate) struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  origami pattern miura --set columns=6 -o miura.fold      Make a crease pattern
+  origami info miura.fold                                  See what is in a file
+  origami fold miura.fold --percent 60 -o folded.fold      Fold it
+  origami fold --help                                      More of these, and all settings
+
+Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.";
+
+/// The commands. What those with arguments do is told there.
+#[derive(Subcommand)]
+pub(crate) enum Command {
+    Fold(Box<FoldArgs>),
+    Info(InfoArgs),
+    Pattern(PatternArgs),
+    /// Write a completion script for a shell to standard output.
+    #[command(after_help = "Example:\n  origami completions bash > ~/.local/share/bash-completion/completions/origami")]
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
+    /// Write the manual page to standard output.
+    #[command(after_help = "Example:\n  origami man > origami.1 && man ./origami.1")]
+    Man,
+}
+
+/// The definition of the whole command line.
+pub(crate) fn definition() -> clap::Command {
+    Cli::command()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_definition_holds_together() {
+        definition().debug_assert();
+    }
+}

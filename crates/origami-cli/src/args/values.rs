@@ -1,0 +1,72 @@
+//! Numbers with a range, and what is said of those outside it.
+
+use origami::solve::TimeStep;
+
+/// Any finite number.
+pub(super) fn finite(text: &str) -> Result<f64, String> {
+    number(text, |_| true, "a finite number")
+}
+
+/// Above 0.
+pub(super) fn positive(text: &str) -> Result<f64, String> {
+    number(text, |x| x > 0.0, "a finite number greater than 0")
+}
+
+/// 0 or above.
+pub(super) fn at_least_zero(text: &str) -> Result<f64, String> {
+    number(text, |x| x >= 0.0, "a finite number of at least 0")
+}
+
+/// `paper`, `safe` or a number.
+pub(super) fn time_step(text: &str) -> Result<TimeStep, String> {
+    match text {
+        "paper" => Ok(TimeStep::Paper),
+        "safe" => Ok(TimeStep::Safe),
+        _ => number(text, |x| x > 0.0, "`paper`, `safe` or a finite number greater than 0").map(TimeStep::Fixed),
+    }
+}
+
+/// `KEY=VALUE`.
+pub(super) fn key_value(text: &str) -> Result<(String, f64), String> {
+    match text.split_once('=') {
+        Some((key, value)) if !key.trim().is_empty() => {
+            let value = number(value, |_| true, "a finite number after the `=`")?;
+            Ok((key.trim().to_owned(), value))
+        }
+        _ => Err("expected KEY=VALUE, such as columns=6".to_owned()),
+    }
+}
+
+fn number(text: &str, holds: impl Fn(f64) -> bool, expected: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(x) if x.is_finite() && holds(x) => Ok(x),
+        _ => Err(format!("expected {expected}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_number_in_range_is_refused() {
+        for text in ["", "x", "nan", "inf", "1e999", "1,5"] {
+            for parse in [finite, positive, at_least_zero] {
+                assert!(parse(text).is_err(), "{text}");
+            }
+            assert!(time_step(text).is_err() && key_value(&format!("a={text}")).is_err(), "{text}");
+        }
+        assert!(positive("0").is_err() && at_least_zero("-0.1").is_err() && time_step("-1").is_err());
+        assert!(key_value("columns").is_err() && key_value("=3").is_err());
+    }
+
+    #[test]
+    fn numbers_in_range_are_read() {
+        assert_eq!(finite("-90"), Ok(-90.0));
+        assert_eq!(positive("1e-4"), Ok(1e-4));
+        assert_eq!(at_least_zero("0"), Ok(0.0));
+        assert_eq!(time_step("0.01"), Ok(TimeStep::Fixed(0.01)));
+        assert_eq!(time_step("safe"), Ok(TimeStep::Safe));
+        assert_eq!(key_value("angle = 60"), Ok(("angle".to_owned(), 60.0)));
+    }
+}

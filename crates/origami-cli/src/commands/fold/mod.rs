@@ -1,0 +1,120 @@
+//! `origami fold`: every input on its own, in parallel; what is told of them comes in their order.
+
+mod one;
+mod queue;
+mod summary;
+
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use crate::args::FoldArgs;
+use crate::console;
+use crate::exit::{Exit, Failure};
+use crate::files::{self, Destination, Format, Input, Target};
+use crate::progress::ProgressLine;
+use crate::report::{self, Report};
+use crate::settings::{self, Settings};
+
+use one::Finished;
+use queue::Queue;
+
+/// Folds all inputs.
+pub(super) fn run(args: &FoldArgs) -> Result<Exit, Failure> {
+    let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::new(path)).collect();
+    let settings = Settings::new(args)?;
+    let targets = files::plan(&inputs, &args.outputs, &args.formats)?;
+    let report_to = args.report.as_deref().map(Destination::new);
+    check_streams(&inputs, &targets, report_to.as_ref())?;
+    if !args.quiet {
+        settings::oddities(args).iter().for_each(console::warning);
+        warn_of_single_stages(args, &targets);
+    }
+
+    let stdout_taken = report_to == Some(Destination::Stdout)
+        || targets.iter().flatten().any(|t| t.destination == Destination::Stdout);
+    let line = ProgressLine::new(inputs.len(), args.quiet);
+    let queue = Queue::new(&line, args.quiet, inputs.len() > 1, stdout_taken);
+    let finished = fold_all(args, &inputs, &targets, &settings, &line, &queue)?;
+    line.finish();
+
+    let exit = finished.iter().map(|f| f.exit).max().unwrap_or(Exit::Done);
+    if let Some(destination) = report_to {
+        let reports: Vec<Report> = finished.into_iter().map(|f| f.report).collect();
+        write_report(&destination, &reports)?;
+    }
+    queue.result()?;
+    Ok(exit)
+}
+
+fn fold_all(
+    args: &FoldArgs,
+    inputs: &[Input],
+    targets: &[Vec<Target>],
+    settings: &Settings,
+    line: &ProgressLine,
+    queue: &Queue<'_>,
+) -> Result<Vec<Finished>, Failure> {
+    let stages = settings.percents.len();
+    let fold = |(i, (input, targets)): (usize, (&Input, &Vec<Target>))| {
+        let mut observe = |stage, progress| {
+            if inputs.len() == 1 {
+                line.show(stage, stages, progress);
+            }
+        };
+        let mut finished = one::fold(input, targets, settings, &mut observe);
+        queue.push(i, std::mem::take(&mut finished.told));
+        if inputs.len() > 1 {
+            line.file_done();
+        }
+        finished
+    };
+    if inputs.len() == 1 {
+        return Ok(inputs.iter().zip(targets).enumerate().map(fold).collect());
+    }
+    let threads = args.threads.map_or(0, usize::from);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|error| format!("cannot start threads: {error}"))?;
+    // Indexed, so the results come in the order of the inputs. One at a time, since a large input takes long.
+    Ok(pool.install(|| inputs.par_iter().zip(targets).enumerate().with_max_len(1).map(fold).collect()))
+}
+
+fn write_report(destination: &Destination, reports: &[Report]) -> Result<(), Failure> {
+    let text = report::to_json(reports).map_err(|error| format!("{destination}: {error}"))?;
+    match destination {
+        Destination::Stdout => console::print(&text)?,
+        Destination::File(path) => origami::export::write_whole(path, |writer| {
+            writer.write_all(&text).map_err(|source| origami::Error::Io { path: "-".to_owned(), source })
+        })?,
+    }
+    Ok(())
+}
+
+/// One stream takes one thing, and a report overwrites nothing else that is named.
+fn check_streams(inputs: &[Input], targets: &[Vec<Target>], report: Option<&Destination>) -> Result<(), String> {
+    if inputs.iter().filter(|input| **input == Input::Stdin).count() > 1 {
+        return Err("standard input (-) is named twice; expected it once".to_owned());
+    }
+    let Some(report) = report else { return Ok(()) };
+    if targets.iter().flatten().any(|target| target.destination == *report) {
+        return Err(format!("{report} is named for the report and for an output; expected different ones"));
+    }
+    if let Destination::File(path) = report {
+        if inputs.iter().any(|input| matches!(input, Input::File(file) if same_file(file, path))) {
+            return Err(format!("{report}: the report would overwrite an input; expected another file"));
+        }
+        files::refuse_missing_folder(path)?;
+    }
+    Ok(())
+}
+
+fn same_file(a: &Path, b: &Path) -> bool {
+    a == b || a.canonicalize().ok().zip(b.canonicalize().ok()).is_some_and(|(a, b)| a == b)
+}
+
+fn warn_of_single_stages(args: &FoldArgs, targets: &[Vec<Target>]) {
+    let single = targets.iter().flatten().find(|target| target.format != Format::Fold);
+    if let (Some(_), Some(target)) = (args.frames, single) {
+        console::warning(format!("{}: holds the last stage only; FOLD files hold all of them", target.destination));
+    }
+}

@@ -1,0 +1,176 @@
+//! One input: read, build, solve, write.
+
+use std::time::Instant;
+
+use origami::model::Model;
+use origami::solve::{Diverged, Folded, Progress, Solver, State, Stop};
+use origami::{CreasePattern, Error};
+
+use super::summary::{self, Told};
+use crate::exit::Exit;
+use crate::files::{self, Input, Sheet, Target};
+use crate::numbers::plain;
+use crate::report::{Divergence, Ending, Measured, Report, Run, Scene, Seconds};
+use crate::settings::Settings;
+
+/// What came of one input.
+pub(super) struct Finished {
+    pub(super) exit: Exit,
+    pub(super) report: Report,
+    pub(super) told: Told,
+}
+
+/// Folds one input and writes its outputs. Nothing that is wrong with it stops the others.
+pub(super) fn fold(
+    input: &Input,
+    targets: &[Target],
+    settings: &Settings,
+    observe: &mut dyn FnMut(usize, Progress),
+) -> Finished {
+    let mut told = Told { input: input.to_string(), ..Told::default() };
+    match attempt(input, targets, settings, observe, &mut told) {
+        Ok((exit, run)) => Finished { exit, report: Report::Folded(Box::new(run)), told },
+        // Nobody reads standard output any more: that is the reader's business.
+        Err(Error::Io { path, source }) if path == "-" && source.kind() == std::io::ErrorKind::BrokenPipe => {
+            let error = source.to_string();
+            Finished { exit: Exit::Done, report: Report::Refused { input: told.input.clone(), error }, told }
+        }
+        Err(error) => {
+            told.errors.push(input.describe(&error));
+            let report = Report::Refused { input: input.to_string(), error: error.to_string() };
+            Finished { exit: Exit::BadInput, report, told }
+        }
+    }
+}
+
+fn attempt(
+    input: &Input,
+    targets: &[Target],
+    settings: &Settings,
+    observe: &mut dyn FnMut(usize, Progress),
+    told: &mut Told,
+) -> Result<(Exit, Run), Error> {
+    let mut watch = Stopwatch::start();
+    let mut seconds = Seconds::default();
+    let document = input.read()?;
+    seconds.read = watch.lap();
+
+    let index = settings.frame.map_or_else(|| document.pattern_frame(), Ok)?;
+    let pattern = CreasePattern::from_frame(&document.frame(index)?)?;
+    let warnings = [document.warnings.as_slice(), &pattern.warnings].concat();
+    told.warnings = warnings.clone();
+    let model = Model::new(&pattern, &settings.material)?;
+    seconds.build = watch.lap();
+
+    let scene = Scene::new(&pattern, &model, &settings.solver.left_out(&model), &warnings);
+    let solved = solve(&model, settings, observe);
+    seconds.solve = watch.lap();
+    let mut run = Run {
+        input: input.to_string(),
+        solver: settings.solver_name.name(),
+        backend: "cpu",
+        scene,
+        tolerance: settings.tolerance,
+        measured: Measured::default(),
+        frames: None,
+        diverged: None,
+        outputs: Vec::new(),
+        seconds,
+    };
+    let states = match solved {
+        Ok(states) => states,
+        Err(failed) => {
+            run.measured = Measured {
+                percent: failed.percent,
+                time_step: settings.first_time_step(&model),
+                steps: failed.steps,
+                stop: Ending::Diverged,
+                attempts: 1,
+                ..Measured::default()
+            };
+            run.diverged = Some(Divergence::from(&failed.diverged));
+            told.errors.push(format!("{input}: at {} %: {}", plain(failed.percent), failed.diverged));
+            return Ok((Exit::Diverged, run));
+        }
+    };
+
+    let frames: Vec<Measured> = states.iter().map(|folded| Measured::new(&model, folded)).collect();
+    run.measured = overall(&frames);
+    run.frames = settings.animated.then_some(frames);
+    watch.lap();
+    let sheet = Sheet {
+        document: &document,
+        frame: index,
+        pattern: &pattern,
+        model: &model,
+        states: &states,
+        animated: settings.animated,
+    };
+    for target in targets {
+        files::write(target, &sheet)?;
+        run.outputs.push(target.destination.to_string());
+    }
+    run.seconds.write = watch.lap();
+
+    told.summary = Some(summary::line(&run));
+    let limited = states.iter().find(|folded| folded.stop == Stop::StepLimit);
+    if let Some(folded) = limited {
+        told.errors.push(summary::not_converged(input, folded, settings.tolerance));
+    }
+    Ok((if limited.is_some() { Exit::NotConverged } else { Exit::Done }, run))
+}
+
+/// The last state, with the steps of all of them; converged if all of them are.
+fn overall(frames: &[Measured]) -> Measured {
+    let last = frames.last().cloned().unwrap_or_default();
+    let limited = frames.iter().find(|frame| !frame.converged);
+    Measured {
+        steps: frames.iter().map(|frame| frame.steps).sum(),
+        converged: limited.is_none(),
+        stop: limited.map_or(last.stop, |frame| frame.stop),
+        attempts: frames.iter().map(|frame| frame.attempts).max().unwrap_or(0),
+        ..last
+    }
+}
+
+/// A divergence on the way.
+struct Failed {
+    /// The percentage it was on its way to.
+    percent: f64,
+    /// Steps up to there, all stages together.
+    steps: u64,
+    diverged: Diverged,
+}
+
+/// As [`origami::solve::fold_path`], and tells at which stage it failed.
+fn solve(model: &Model, settings: &Settings, observe: &mut dyn FnMut(usize, Progress)) -> Result<Vec<Folded>, Failed> {
+    let solver: &dyn Solver = settings.solver.as_ref();
+    let mut states: Vec<Folded> = Vec::new();
+    for (stage, percent) in settings.percents.iter().enumerate() {
+        let start = states.last().map_or_else(|| State::at_rest(model), |folded| folded.state.clone());
+        match solver.fold(model, &start, *percent, &mut |progress| observe(stage, progress)) {
+            Ok(folded) => states.push(folded),
+            Err(diverged) => {
+                let steps = states.iter().map(|folded| folded.steps).sum::<u64>() + diverged.step;
+                return Err(Failed { percent: *percent, steps, diverged });
+            }
+        }
+    }
+    Ok(states)
+}
+
+struct Stopwatch(Instant);
+
+impl Stopwatch {
+    fn start() -> Self {
+        Self(Instant::now())
+    }
+
+    /// Seconds since the last lap.
+    fn lap(&mut self) -> f64 {
+        let now = Instant::now();
+        let seconds = (now - self.0).as_secs_f64();
+        self.0 = now;
+        seconds
+    }
+}

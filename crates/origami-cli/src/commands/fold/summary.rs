@@ -1,0 +1,66 @@
+//! The line about one input.
+
+use std::time::Duration;
+
+use origami::Warning;
+use origami::solve::Folded;
+
+use crate::files::Input;
+use crate::numbers::{count, duration, grouped, plain, share, short};
+use crate::report::{Ending, Run};
+
+/// What a person is told about one input.
+#[derive(Default)]
+pub(super) struct Told {
+    pub(super) input: String,
+    pub(super) warnings: Vec<Warning>,
+    pub(super) errors: Vec<String>,
+    pub(super) summary: Option<String>,
+}
+
+/// Such as `bird.fold: folded to 90 % in 1 240 steps, converged (distance 3.0e-5 of the radius), strain mean 0.41 %
+/// max 2.1 %, 12 ms`.
+pub(super) fn line(run: &Run) -> String {
+    let measured = &run.measured;
+    let mut line = format!("{}: folded to {} %", run.input, plain(measured.percent));
+    if let Some(frames) = &run.frames {
+        line += &format!(" in {}", count(frames.len(), "frame", "frames"));
+    }
+    line += &format!(" in {} steps, ", grouped(measured.steps));
+    line += match measured.stop {
+        Ending::Converged => "converged",
+        Ending::StepsDone => "as many as asked",
+        Ending::StepLimit | Ending::Diverged => "not converged",
+    };
+    line += &match measured.distance {
+        Some(distance) if distance.is_finite() => format!(" (distance {} of the radius)", short(distance)),
+        _ => " (distance not known)".to_owned(),
+    };
+    if let Some(strain) = measured.strain {
+        line += &format!(", strain mean {} max {}", share(strain.mean), share(strain.max));
+    }
+    if let Some(tangled) = measured.tangled_creases.filter(|n| *n > 0) {
+        line += &format!(", tangled ({} folded past 200 degrees)", count(tangled, "crease", "creases"));
+    }
+    if measured.attempts > 1 {
+        line += &format!(", the best of {} attempts", measured.attempts);
+    }
+    let seconds = run.seconds;
+    let total = seconds.read + seconds.build + seconds.solve + seconds.write;
+    line + &format!(", {}", duration(Duration::from_secs_f64(total)))
+}
+
+/// The step limit came first.
+pub(super) fn not_converged(input: &Input, folded: &Folded, tolerance: f64) -> String {
+    let distance = match folded.distance {
+        d if d.is_finite() => format!("about {} of the radius from the equilibrium", short(d)),
+        _ => "an unknown distance from the equilibrium".to_owned(),
+    };
+    format!(
+        "{input}: not converged at {} % after {} steps: {distance}, expected {}; the output says so; \
+         more --max-steps or a larger --tolerance may help",
+        plain(folded.percent),
+        grouped(folded.steps),
+        short(tolerance),
+    )
+}

@@ -1,0 +1,32 @@
+//! `origami info`: as much of a file as can be told, and why not more.
+
+mod facts;
+mod text;
+
+use crate::args::InfoArgs;
+use crate::console;
+use crate::exit::{Exit, Failure};
+use crate::files::Input;
+
+use facts::Facts;
+
+/// Tells what is in a file.
+pub(super) fn run(args: &InfoArgs) -> Result<Exit, Failure> {
+    let input = Input::new(&args.input);
+    let facts = Facts::gather(&input, args.frame, &args.material.material());
+    let text = if args.json {
+        let mut text = serde_json::to_vec_pretty(&facts).map_err(|error| error.to_string())?;
+        text.push(b'\n');
+        text
+    } else {
+        text::of(&facts).into_bytes()
+    };
+    console::print(&text)?;
+    match facts.error {
+        None => Ok(Exit::Done),
+        Some(error) => {
+            console::error(&error);
+            Ok(Exit::BadInput)
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! The facts for a person.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use serde_json::Value;
+
+use super::facts::{Facts, File, ModelFacts, Pattern};
+use crate::numbers::{self, count, grouped, short};
+
+/// One line a fact, those of one kind under a heading.
+pub(super) fn of(facts: &Facts) -> String {
+    let mut text = format!("{}\n", facts.input);
+    // Writing to a string cannot fail.
+    let _ = facts.file.iter().try_for_each(|part| file(&mut text, part));
+    let _ = facts.pattern.iter().try_for_each(|part| pattern(&mut text, part));
+    let _ = facts.model.iter().try_for_each(|part| model(&mut text, part));
+    for warning in &facts.spoken_warnings {
+        let _ = writeln!(text, "  warning     {warning}");
+    }
+    text
+}
+
+fn file(text: &mut String, file: &File) -> std::fmt::Result {
+    let spec =
+        file.spec.as_ref().map_or_else(|| "FOLD, version not given".to_owned(), |spec| format!("FOLD {}", plain(spec)));
+    write!(text, "  file        {spec}, {}", count(file.frames, "frame", "frames"))?;
+    if file.frames > 1 {
+        write!(text, ", the pattern is frame {}", file.frame)?;
+    }
+    writeln!(text)?;
+    for (name, value) in [("title", &file.title), ("creator", &file.creator)] {
+        if let Some(value) = value {
+            writeln!(text, "  {name:<11} {}", plain(value))?;
+        }
+    }
+    let number = |n: Option<usize>| n.map_or_else(|| "no".to_owned(), |n| grouped(n as u64));
+    write!(text, "  as written  {}", count(file.vertices, "vertex", "vertices"))?;
+    write!(text, ", {} edges", number(file.edges))?;
+    if let Some(letters) = &file.letters {
+        write!(text, "{}", bracketed(letters))?;
+    }
+    writeln!(text, ", {} faces", number(file.faces))
+}
+
+fn pattern(text: &mut String, pattern: &Pattern) -> std::fmt::Result {
+    let vertices = count(pattern.vertices, "vertex", "vertices");
+    let edges = count(pattern.edges, "edge", "edges");
+    let faces = count(pattern.faces, "face", "faces");
+    let shape = if pattern.flat { "flat" } else { "in space" };
+    writeln!(text, "  as read     {vertices}, {edges}{}, {faces}", bracketed(&pattern.letters))?;
+    write!(text, "  sheet       {shape}, longest side {}", numbers::plain(pattern.size))?;
+    if pattern.fixed > 0 {
+        write!(text, ", {} fixed", count(pattern.fixed, "vertex", "vertices"))?;
+    }
+    writeln!(text)
+}
+
+fn model(text: &mut String, model: &ModelFacts) -> std::fmt::Result {
+    let scene = &model.scene;
+    writeln!(
+        text,
+        "  model       {}, {}, {}, {}",
+        count(scene.vertices, "vertex", "vertices"),
+        count(scene.beams, "beam", "beams"),
+        count(scene.creases, "crease", "creases"),
+        count(scene.triangles, "triangle", "triangles")
+    )?;
+    for built in &scene.built {
+        writeln!(text, "  built       {} {}", grouped(built.count as u64), built.what)?;
+    }
+    for left_out in &scene.left_out {
+        let number = if left_out.count > 0 { format!("{} ", grouped(left_out.count as u64)) } else { String::new() };
+        writeln!(text, "  left out    {number}{}: {}", left_out.what, left_out.why)?;
+    }
+    let steps = model.time_step;
+    writeln!(text, "  time step   paper {}, safe {}", short(steps.paper), short(steps.safe))
+}
+
+fn bracketed(letters: &BTreeMap<impl std::fmt::Display, usize>) -> String {
+    if letters.is_empty() {
+        return String::new();
+    }
+    let counts: Vec<String> = letters.iter().map(|(letter, count)| format!("{letter} {count}")).collect();
+    format!(" ({})", counts.join(", "))
+}
+
+/// Text without its quotation marks and without characters that would steer a terminal.
+fn plain(value: &Value) -> String {
+    let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}

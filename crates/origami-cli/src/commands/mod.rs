@@ -1,0 +1,23 @@
+//! What each command does.
+
+mod fold;
+mod info;
+mod pattern;
+mod texts;
+
+use crate::args::{Cli, Command};
+use crate::exit::{Exit, Failure};
+
+/// Does what the command line says.
+///
+/// # Errors
+/// Why it ends before its work is done.
+pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
+    match cli.command {
+        Command::Fold(args) => fold::run(&args),
+        Command::Info(args) => info::run(&args),
+        Command::Pattern(args) => pattern::run(&args),
+        Command::Completions { shell } => texts::completions(shell),
+        Command::Man => texts::man(),
+    }
+}

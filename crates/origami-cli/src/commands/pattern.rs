@@ -1,0 +1,48 @@
+//! `origami pattern`.
+
+use std::fmt::Write;
+
+use origami::export::crease_pattern_document;
+use origami::generate::catalog;
+
+use crate::args::PatternArgs;
+use crate::console;
+use crate::exit::{Exit, Failure};
+use crate::files::{Destination, Format, refuse_missing_folder, write_document};
+
+/// Makes one pattern, or lists them all.
+pub(super) fn run(args: &PatternArgs) -> Result<Exit, Failure> {
+    let (Some(name), Some(output)) = (&args.name, &args.output) else {
+        console::print(list().as_bytes())?;
+        return Ok(Exit::Done);
+    };
+    let destination = Destination::new(output);
+    if let Destination::File(path) = &destination {
+        if Format::of(path) != Ok(Format::Fold) {
+            let problem = "crease patterns are written as FOLD; expected a path ending in .fold, or -";
+            return Err(format!("{}: {problem}", path.display()).into());
+        }
+        refuse_missing_folder(path)?;
+    }
+    let pattern = catalog::generate(name, &args.parameters)?;
+    write_document(&destination, &crease_pattern_document(&pattern, &title(name, &args.parameters)))?;
+    Ok(Exit::Done)
+}
+
+/// Such as `miura, columns 6, rows 4`.
+fn title(name: &str, parameters: &[(String, f64)]) -> String {
+    parameters.iter().fold(name.to_owned(), |title, (key, value)| format!("{title}, {key} {value}"))
+}
+
+fn list() -> String {
+    let mut text = String::new();
+    for entry in catalog::entries() {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{}: {}", entry.name, entry.summary);
+        for parameter in entry.parameters {
+            let setting = format!("{}={}", parameter.name, parameter.default);
+            let _ = writeln!(text, "    {setting:<22} {}", parameter.meaning);
+        }
+    }
+    text
+}

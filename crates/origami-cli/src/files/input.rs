@@ -1,0 +1,60 @@
+//! A file or standard input.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use origami::Error;
+use origami::fold::Document;
+
+/// Where a pattern comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Input {
+    /// Written `-`.
+    Stdin,
+    /// A file.
+    File(PathBuf),
+}
+
+impl Input {
+    /// As named on the command line.
+    pub(crate) fn new(path: &Path) -> Self {
+        if path.as_os_str() == "-" { Self::Stdin } else { Self::File(path.to_owned()) }
+    }
+
+    /// Reads and parses it.
+    ///
+    /// # Errors
+    /// As for [`Document::read`].
+    pub(crate) fn read(&self) -> Result<Document, Error> {
+        match self {
+            Self::Stdin => Document::from_reader(io::stdin().lock()),
+            Self::File(path) => Document::read(path),
+        }
+    }
+
+    /// The name of what is made from it, without folder and extension.
+    pub(crate) fn stem(&self) -> String {
+        match self {
+            Self::Stdin => "stdin".to_owned(),
+            Self::File(path) => path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+        }
+    }
+
+    /// An error in it, as a person is told; those of the system name the file already.
+    pub(crate) fn describe(&self, error: &Error) -> String {
+        match error {
+            Error::Io { .. } => error.to_string(),
+            _ => format!("{self}: {error}"),
+        }
+    }
+}
+
+impl fmt::Display for Input {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stdin => f.write_str("-"),
+            Self::File(path) => path.display().fmt(f),
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! Which file comes from which input. All that can be refused is refused here, before any work.
+
+use std::collections::HashMap;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use super::{Format, Input};
+
+/// A place to write to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Destination {
+    /// Written `-`.
+    Stdout,
+    /// A file.
+    File(PathBuf),
+}
+
+impl Destination {
+    /// As named on the command line.
+    pub(crate) fn new(path: &Path) -> Self {
+        if path.as_os_str() == "-" { Self::Stdout } else { Self::File(path.to_owned()) }
+    }
+}
+
+impl fmt::Display for Destination {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stdout => f.write_str("-"),
+            Self::File(path) => path.display().fmt(f),
+        }
+    }
+}
+
+/// A file to write, and how.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Target {
+    /// Where.
+    pub(crate) destination: Destination,
+    /// As what.
+    pub(crate) format: Format,
+    /// A folder to make first.
+    pub(crate) folder: Option<PathBuf>,
+}
+
+/// The targets of each input, in order. Files in folders are named by their inputs and come in each of `formats`
+/// (FOLD where that is empty).
+///
+/// # Errors
+/// What cannot be done, and what was expected.
+pub(crate) fn plan(inputs: &[Input], outputs: &[PathBuf], formats: &[Format]) -> Result<Vec<Vec<Target>>, String> {
+    let folders = outputs.iter().filter(|path| is_folder(path)).count();
+    if inputs.len() > 1
+        && let Some(file) = outputs.iter().find(|path| !is_folder(path))
+    {
+        let count = inputs.len();
+        return Err(format!(
+            "{}: {count} inputs cannot go into one file; expected an existing folder or a path ending in /",
+            file.display()
+        ));
+    }
+    if !formats.is_empty() && folders == 0 {
+        return Err("--format is for folders; the extension tells the format of a file".to_owned());
+    }
+    if folders > 0 {
+        refuse_equal_stems(inputs)?;
+    }
+    let formats = if formats.is_empty() { &[Format::Fold] } else { formats };
+    let targets = |input: &Input| -> Result<Vec<Target>, String> {
+        let mut targets = Vec::new();
+        for output in outputs {
+            if is_folder(output) {
+                targets.extend(formats.iter().map(|format| in_folder(output, input, *format)));
+            } else {
+                targets.push(file(output)?);
+            }
+        }
+        refuse_equal_targets(&targets)?;
+        Ok(targets)
+    };
+    inputs.iter().map(targets).collect()
+}
+
+fn is_folder(path: &Path) -> bool {
+    path.as_os_str() != "-" && (path.is_dir() || path.to_string_lossy().ends_with(std::path::is_separator))
+}
+
+fn in_folder(folder: &Path, input: &Input, format: Format) -> Target {
+    let name = format!("{}.{}", input.stem(), format.extension());
+    Target { destination: Destination::File(folder.join(name)), format, folder: Some(folder.to_owned()) }
+}
+
+fn file(path: &Path) -> Result<Target, String> {
+    let destination = Destination::new(path);
+    let format = match destination {
+        Destination::Stdout => Format::Fold,
+        Destination::File(_) => Format::of(path)?,
+    };
+    refuse_missing_folder(path)?;
+    Ok(Target { destination, format, folder: None })
+}
+
+/// Whether the folder that `path` lies in is there.
+///
+/// # Errors
+/// That it is not.
+pub(crate) fn refuse_missing_folder(path: &Path) -> Result<(), String> {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
+            Err(format!("{}: there is no folder {}; expected an existing one", path.display(), folder.display()))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn refuse_equal_stems(inputs: &[Input]) -> Result<(), String> {
+    let mut seen: HashMap<String, &Input> = HashMap::new();
+    for input in inputs {
+        if let Some(other) = seen.insert(input.stem(), input) {
+            let stem = input.stem();
+            return Err(format!("{other} and {input} would both be written as {stem}; expected different names"));
+        }
+    }
+    Ok(())
+}
+
+fn refuse_equal_targets(targets: &[Target]) -> Result<(), String> {
+    for (i, target) in targets.iter().enumerate() {
+        if targets[..i].iter().any(|other| other.destination == target.destination) {
+            return Err(format!("{} is named twice as an output; expected different ones", target.destination));
+        }
+    }
+    Ok(())
+}

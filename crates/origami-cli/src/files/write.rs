@@ -1,0 +1,113 @@
+//! Folded sheets into files.
+
+use std::fs;
+
+use origami::export::{self, Stage, write_obj, write_stl, write_whole};
+use origami::fold::Document;
+use origami::measure::edge_fold_angles;
+use origami::model::Model;
+use origami::solve::Folded;
+use origami::{CreasePattern, Error};
+
+use super::{Destination, Format, Target};
+use crate::console;
+
+/// Own key: whether the state is within the tolerance of the equilibrium.
+const CONVERGED: &str = "origami:converged";
+/// Own key: the estimated distance of the farthest vertex from the equilibrium, in radii of the sheet.
+const DISTANCE: &str = "origami:distance";
+
+/// All that a file may need to know of a folded sheet.
+pub(crate) struct Sheet<'a> {
+    /// The input.
+    pub(crate) document: &'a Document,
+    /// Which of its frames was folded.
+    pub(crate) frame: usize,
+    /// The pattern in that frame.
+    pub(crate) pattern: &'a CreasePattern,
+    /// Its model.
+    pub(crate) model: &'a Model,
+    /// The states on the way, the last of them the result.
+    pub(crate) states: &'a [Folded],
+    /// Whether all of them go into files that can hold more than one.
+    pub(crate) animated: bool,
+}
+
+/// Writes one file, whole or not at all.
+///
+/// # Errors
+/// [`Error::Io`] where the system refuses.
+pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<(), Error> {
+    let Some(last) = sheet.states.last() else { return Ok(()) };
+    if let Some(folder) = &target.folder {
+        fs::create_dir_all(folder).map_err(|source| Error::Io { path: folder.display().to_string(), source })?;
+    }
+    match target.format {
+        Format::Fold => write_document(&target.destination, &sheet.fold()?),
+        Format::Obj => {
+            let positions = sheet.model.file_positions(sheet.pattern, &last.state.positions);
+            whole(&target.destination, |writer| write_obj(writer, sheet.pattern, &positions))
+        }
+        Format::Stl => {
+            let points: Vec<_> = last.state.positions.iter().map(|p| sheet.model.normalisation.to_file(*p)).collect();
+            let triangles: Vec<[u32; 3]> = sheet.model.mesh.triangles.iter().map(|t| t.map(|n| n.0)).collect();
+            whole(&target.destination, |writer| write_stl(writer, &points, &triangles))
+        }
+    }
+}
+
+/// Writes a FOLD file, whole or not at all.
+///
+/// # Errors
+/// [`Error::Io`] where the system refuses.
+pub(crate) fn write_document(destination: &Destination, document: &Document) -> Result<(), Error> {
+    whole(destination, |writer| document.write_to(writer))
+}
+
+fn whole(
+    destination: &Destination,
+    content: impl FnOnce(&mut dyn std::io::Write) -> Result<(), Error>,
+) -> Result<(), Error> {
+    match destination {
+        Destination::File(path) => write_whole(path, content),
+        Destination::Stdout => {
+            let mut bytes = Vec::new();
+            content(&mut bytes)?;
+            console::print(&bytes).map_err(|source| Error::Io { path: "-".to_owned(), source })
+        }
+    }
+}
+
+impl Sheet<'_> {
+    /// As a FOLD document that says how far each state is from the equilibrium.
+    fn fold(&self) -> Result<Document, Error> {
+        let stages: Vec<Stage> = self.states.iter().map(|folded| self.stage(folded)).collect();
+        if self.animated {
+            let mut document = export::animation(self.document, self.frame, self.pattern, &stages)?;
+            // Of an input that was folded itself.
+            document.key_frame.extra.retain(|key, _| key != CONVERGED && key != DISTANCE);
+            for (frame, folded) in document.frames.iter_mut().zip(self.states) {
+                mark(&mut frame.extra, folded);
+            }
+            return Ok(document);
+        }
+        let (Some(stage), Some(folded)) = (stages.last(), self.states.last()) else { return Ok(Document::default()) };
+        let mut document = export::folded_form(self.document, self.frame, self.pattern, stage)?;
+        mark(&mut document.key_frame.extra, folded);
+        Ok(document)
+    }
+
+    fn stage(&self, folded: &Folded) -> Stage {
+        Stage {
+            percent: folded.percent,
+            positions: self.model.file_positions(self.pattern, &folded.state.positions),
+            fold_angles: edge_fold_angles(self.model, self.pattern, &folded.state),
+        }
+    }
+}
+
+/// Own keys: a distance that is not known is null.
+fn mark(extra: &mut serde_json::Map<String, serde_json::Value>, folded: &Folded) {
+    extra.insert(CONVERGED.into(), folded.converged().into());
+    extra.insert(DISTANCE.into(), folded.distance.into());
+}

@@ -1,0 +1,91 @@
+//! Numbers as a person reads them.
+
+use std::time::Duration;
+
+/// With two significant digits, such as `0.41`, `2.1`, `170`; tiny and huge ones as `3.1e-5`.
+pub(crate) fn short(x: f64) -> String {
+    let size = x.abs();
+    match size {
+        0.0 => "0".to_owned(),
+        _ if !size.is_finite() => "unknown".to_owned(),
+        _ if !(9.95e-4..1e6).contains(&size) => format!("{x:.1e}"),
+        _ if size >= 9.95 => format!("{x:.0}"),
+        _ if size >= 0.995 => format!("{x:.1}"),
+        _ if size >= 0.0995 => format!("{x:.2}"),
+        _ if size >= 0.00995 => format!("{x:.3}"),
+        _ => format!("{x:.4}"),
+    }
+}
+
+/// A share as a percentage, such as `0.41 %`.
+pub(crate) fn share(x: f64) -> String {
+    format!("{} %", short(100.0 * x))
+}
+
+/// As it is, such as `90` or `33.3`; tiny and huge ones as `1e300`.
+pub(crate) fn plain(x: f64) -> String {
+    if x == 0.0 || (1e-6..1e9).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
+}
+
+/// In groups of three digits, such as `1 240`.
+pub(crate) fn grouped(n: u64) -> String {
+    let digits = n.to_string();
+    let mut text = String::with_capacity(digits.len() * 4 / 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// Such as `1 vertex` and `2 vertices`.
+pub(crate) fn count(n: usize, one: &str, many: &str) -> String {
+    format!("{} {}", grouped(n as u64), if n == 1 { one } else { many })
+}
+
+/// Such as `12 ms` or `3.4 s`.
+pub(crate) fn duration(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    if seconds < 0.9995 { format!("{:.0} ms", 1e3 * seconds) } else { format!("{seconds:.1} s") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_digits_are_left() {
+        let cases = [
+            (0.0, "0"),
+            (3.14e-5, "3.1e-5"),
+            (0.00123, "0.0012"),
+            (0.0123, "0.012"),
+            (0.4149, "0.41"),
+            (0.997, "1.0"),
+            (2.06, "2.1"),
+            (-21.4, "-21"),
+            (170.2, "170"),
+            (2.5e7, "2.5e7"),
+            (f64::INFINITY, "unknown"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(short(x), text);
+        }
+        assert_eq!(share(0.0041), "0.41 %");
+    }
+
+    #[test]
+    fn plain_numbers_stay_short() {
+        assert_eq!([0.0, -90.0, 33.25, 1e300, 2e-9].map(plain), ["0", "-90", "33.25", "1e300", "2e-9"]);
+    }
+
+    #[test]
+    fn groups_and_times() {
+        assert_eq!([0, 999, 1240, 1_234_567].map(grouped), ["0", "999", "1 240", "1 234 567"]);
+        assert_eq!(count(1, "face", "faces"), "1 face");
+        assert_eq!(duration(Duration::from_micros(12_345)), "12 ms");
+        assert_eq!(duration(Duration::from_millis(3_440)), "3.4 s");
+    }
+}

@@ -1,0 +1,66 @@
+//! Progress on standard error, where that is a terminal.
+
+use std::io::{self, IsTerminal};
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::numbers::{grouped, short};
+
+/// Parts that one bar is divided into.
+const PARTS: u64 = 1000;
+
+/// A line that shows how far the work has come.
+pub(crate) struct ProgressLine {
+    bar: ProgressBar,
+}
+
+impl ProgressLine {
+    /// For `files` inputs; hidden if `quiet` or where no terminal shows it.
+    pub(crate) fn new(files: usize, quiet: bool) -> Self {
+        let hidden = quiet || !io::stderr().is_terminal();
+        let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let (length, template) = match files {
+            1 => (PARTS, "{bar:30} {msg} ({elapsed})"),
+            _ => (files as u64, "{bar:30} {pos} of {len} files ({elapsed})"),
+        };
+        let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+        let bar = ProgressBar::with_draw_target(Some(length), target).with_style(style);
+        if !hidden {
+            bar.enable_steady_tick(Duration::from_millis(200));
+        }
+        Self { bar }
+    }
+
+    /// Within one file: stage `stage` of `stages` and what its solver tells.
+    pub(crate) fn show(&self, stage: usize, stages: usize, solver: origami::solve::Progress) {
+        if self.bar.is_hidden() {
+            return;
+        }
+        let share = (stage as f64 + solver.ramp) / stages.max(1) as f64;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of 1000")]
+        self.bar.set_position((share * PARTS as f64) as u64);
+        let stage = if stages > 1 { format!("stage {} of {stages}, ", stage + 1) } else { String::new() };
+        let distance = if solver.distance.is_finite() {
+            format!(", {} of the radius to go", short(solver.distance))
+        } else {
+            String::new()
+        };
+        self.bar.set_message(format!("{stage}step {}{distance}", grouped(solver.step)));
+    }
+
+    /// One more file is done.
+    pub(crate) fn file_done(&self) {
+        self.bar.inc(1);
+    }
+
+    /// Writes something else without tearing the line.
+    pub(crate) fn aside(&self, write: impl FnOnce()) {
+        self.bar.suspend(write);
+    }
+
+    /// Takes the line away.
+    pub(crate) fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}

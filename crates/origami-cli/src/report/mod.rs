@@ -1,0 +1,96 @@
+//! `--report`: what was built, done and measured, as JSON. docs/REPORT.md documents every key; they stay as they are.
+
+mod measured;
+mod scene;
+
+pub(crate) use measured::{Ending, Measured};
+pub(crate) use scene::{Note, Scene};
+
+use origami::solve::{Diverged, Quantity};
+use serde::Serialize;
+
+/// What one input came to.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub(crate) enum Report {
+    /// It could not be read, built or written.
+    Refused {
+        /// As named on the command line.
+        input: String,
+        /// The message.
+        error: String,
+    },
+    /// It was folded, well or not.
+    Folded(Box<Run>),
+}
+
+/// One input that a solver has worked on.
+#[derive(Debug, Serialize)]
+pub(crate) struct Run {
+    /// As named on the command line.
+    pub(crate) input: String,
+    /// `relax` or `dynamics`.
+    pub(crate) solver: &'static str,
+    /// `cpu`.
+    pub(crate) backend: &'static str,
+    /// What was built.
+    #[serde(flatten)]
+    pub(crate) scene: Scene,
+    /// Distance from the equilibrium at which to stop, in radii.
+    pub(crate) tolerance: f64,
+    /// Of the last state.
+    #[serde(flatten)]
+    pub(crate) measured: Measured,
+    /// Of every state on the way, with `--frames`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) frames: Option<Vec<Measured>>,
+    /// Where the state left all bounds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) diverged: Option<Divergence>,
+    /// What was written.
+    pub(crate) outputs: Vec<String>,
+    /// How long each part took.
+    pub(crate) seconds: Seconds,
+}
+
+/// Where and how a state left all bounds.
+#[derive(Debug, Serialize)]
+pub(crate) struct Divergence {
+    vertex: u32,
+    step: u64,
+    quantity: &'static str,
+    value: f64,
+}
+
+impl From<&Diverged> for Divergence {
+    fn from(diverged: &Diverged) -> Self {
+        let quantity = match diverged.quantity {
+            Quantity::Position => "position",
+            Quantity::Move => "move",
+        };
+        Self { vertex: diverged.vertex.0, step: diverged.step, quantity, value: diverged.value }
+    }
+}
+
+/// Wall-clock time of each part.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub(crate) struct Seconds {
+    /// Reading and parsing the file.
+    pub(crate) read: f64,
+    /// From the document to a model.
+    pub(crate) build: f64,
+    /// The solver.
+    pub(crate) solve: f64,
+    /// All outputs.
+    pub(crate) write: f64,
+}
+
+/// Reports as JSON: an object for one input, an array for several.
+pub(crate) fn to_json(reports: &[Report]) -> Result<Vec<u8>, serde_json::Error> {
+    let mut text = match reports {
+        [one] => serde_json::to_vec_pretty(one)?,
+        many => serde_json::to_vec_pretty(many)?,
+    };
+    text.push(b'\n');
+    Ok(text)
+}

@@ -1,0 +1,83 @@
+//! What a model holds.
+
+use origami::Warning;
+use origami::model::Model;
+use origami::pattern::CreasePattern;
+use serde::Serialize;
+
+/// The sheet and its springs.
+#[derive(Debug, Serialize)]
+pub(crate) struct Scene {
+    /// Vertices that are part of the sheet.
+    pub(crate) vertices: usize,
+    /// Bars.
+    pub(crate) beams: usize,
+    /// Hinges with a spring.
+    pub(crate) creases: usize,
+    /// Faces of the pattern.
+    pub(crate) faces: usize,
+    /// Triangles that the faces were cut into.
+    pub(crate) triangles: usize,
+    /// What is simulated.
+    pub(crate) built: Vec<Built>,
+    /// What is not, and why.
+    pub(crate) left_out: Vec<LeftOut>,
+    /// What was odd in the file.
+    pub(crate) warnings: Vec<Note>,
+}
+
+/// A group of elements.
+#[derive(Debug, Serialize)]
+pub(crate) struct Built {
+    pub(crate) what: &'static str,
+    pub(crate) count: usize,
+}
+
+/// A group that is not there.
+#[derive(Debug, Serialize)]
+pub(crate) struct LeftOut {
+    pub(crate) what: &'static str,
+    pub(crate) count: usize,
+    pub(crate) why: &'static str,
+}
+
+/// A warning with its place.
+#[derive(Debug, Serialize)]
+pub(crate) struct Note {
+    place: String,
+    message: String,
+}
+
+impl From<&Warning> for Note {
+    fn from(warning: &Warning) -> Self {
+        Self { place: warning.place.clone(), message: warning.message.clone() }
+    }
+}
+
+impl From<&origami::model::LeftOut> for LeftOut {
+    fn from(left_out: &origami::model::LeftOut) -> Self {
+        Self { what: left_out.what, count: left_out.count, why: left_out.why }
+    }
+}
+
+impl Scene {
+    /// That of a model, with what else is left out.
+    pub(crate) fn new(
+        pattern: &CreasePattern,
+        model: &Model,
+        left_out: &[origami::model::LeftOut],
+        warnings: &[Warning],
+    ) -> Self {
+        let built = model.inventory.built.iter().map(|b| Built { what: b.what, count: b.count });
+        Self {
+            vertices: model.node_count(),
+            beams: model.beams.len(),
+            creases: model.creases.len(),
+            faces: pattern.faces.len(),
+            triangles: model.mesh.triangles.len(),
+            built: built.collect(),
+            left_out: model.inventory.left_out.iter().chain(left_out).map(LeftOut::from).collect(),
+            warnings: warnings.iter().map(Note::from).collect(),
+        }
+    }
+}

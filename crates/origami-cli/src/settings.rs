@@ -1,0 +1,93 @@
+//! From the command line to what the library wants.
+
+use origami::model::Material;
+use origami::solve::{Dynamics, Integrator, Relax, Solver, TimeStep, frame_percents, time_step};
+
+use crate::args::{BackendName, FoldArgs, IntegratorName, SolverName};
+use crate::numbers::plain;
+
+/// How every input of a run is folded.
+pub(crate) struct Settings {
+    /// Which frame of the file; `None` is the file's own choice.
+    pub(crate) frame: Option<usize>,
+    /// Percentages to stop at, in order.
+    pub(crate) percents: Vec<f64>,
+    /// Whether all of them are wanted, or only the last.
+    pub(crate) animated: bool,
+    /// What the sheet is made of.
+    pub(crate) material: Material,
+    /// As on the command line.
+    pub(crate) solver_name: SolverName,
+    /// What folds.
+    pub(crate) solver: Box<dyn Solver + Sync>,
+    /// Distance from the equilibrium, in radii.
+    pub(crate) tolerance: f64,
+    /// The rule for the length of a step of dynamics.
+    time_step: TimeStep,
+}
+
+impl Settings {
+    /// Those of the arguments.
+    ///
+    /// # Errors
+    /// What this build cannot do.
+    pub(crate) fn new(args: &FoldArgs) -> Result<Self, String> {
+        let solving = &args.solving;
+        if solving.backend == BackendName::Gpu {
+            return Err("--backend gpu: this build has no GPU backend; expected auto or cpu".to_owned());
+        }
+        let (tolerance, max_steps, steps) = (solving.tolerance, solving.max_steps, solving.steps);
+        let time_step = solving.time_step.unwrap_or(TimeStep::Paper);
+        let solver: Box<dyn Solver + Sync> = match solving.solver {
+            SolverName::Relax => Box::new(Relax { tolerance, ramp: solving.ramp, max_steps, steps, retry: true }),
+            SolverName::Dynamics => {
+                let integrator = match solving.integrator {
+                    None | Some(IntegratorName::Euler) => Integrator::Euler,
+                    Some(IntegratorName::Verlet) => Integrator::Verlet,
+                };
+                let ramp = solving.ramp.unwrap_or(0);
+                Box::new(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps })
+            }
+        };
+        Ok(Self {
+            frame: args.frame,
+            percents: args.frames.map_or_else(|| vec![args.percent], |frames| frame_percents(args.percent, frames)),
+            animated: args.frames.is_some(),
+            material: args.material.material(),
+            solver_name: solving.solver,
+            solver,
+            tolerance,
+            time_step,
+        })
+    }
+
+    /// The length of the first step; relaxations have none that can be told beforehand.
+    pub(crate) fn first_time_step(&self, model: &origami::model::Model) -> Option<f64> {
+        match (self.solver_name, self.time_step) {
+            (SolverName::Relax, _) => None,
+            (SolverName::Dynamics, TimeStep::Paper) => Some(time_step::paper(model)),
+            (SolverName::Dynamics, TimeStep::Safe) => Some(time_step::safe(model, &model.rest)),
+            (SolverName::Dynamics, TimeStep::Fixed(dt)) => Some(dt),
+        }
+    }
+}
+
+/// What is allowed but odd about the arguments.
+pub(crate) fn oddities(args: &FoldArgs) -> Vec<String> {
+    let solving = &args.solving;
+    let mut oddities = Vec::new();
+    if args.percent.abs() > 100.0 {
+        oddities.push(format!("--percent {}: folds past the pattern's own angles", plain(args.percent)));
+    }
+    if solving.solver == SolverName::Relax {
+        let given = [
+            ("--time-step", solving.time_step.is_some()),
+            ("--integrator", solving.integrator.is_some()),
+            ("--zeta", args.material.zeta.is_some()),
+        ];
+        for (name, _) in given.iter().filter(|(_, given)| *given) {
+            oddities.push(format!("{name} has no effect with --solver relax"));
+        }
+    }
+    oddities
+}

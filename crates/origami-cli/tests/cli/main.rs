@@ -1,0 +1,13 @@
+//! The program from outside: what it reads, writes, says and exits with.
+#![expect(clippy::unwrap_used, reason = "a test may")]
+
+mod batch;
+mod fold;
+mod help;
+mod info;
+mod mutations;
+mod pattern;
+mod place;
+mod report;
+mod streams;
+mod usage;

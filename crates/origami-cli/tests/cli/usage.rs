@@ -1,0 +1,71 @@
+//! What is refused before any work, and that nothing is written then.
+
+use crate::place::Place;
+
+#[test]
+fn bad_usage_is_1_and_names_what_is_wrong() {
+    let place = Place::new();
+    let cases = [
+        ("", "Usage: origami"),
+        ("unfold", "unfold"),
+        ("fold", "<INPUT>"),
+        ("fold square.fold", "--output"),
+        ("fold square.fold -o a.fold --percent", "--percent"),
+        ("fold square.fold -o a.fold --percent nan", "expected a finite number"),
+        ("fold square.fold -o a.fold --percent 1e999", "expected a finite number"),
+        ("fold square.fold -o a.fold --tolerance 0", "greater than 0"),
+        ("fold square.fold -o a.fold --ea 0", "greater than 0"),
+        ("fold square.fold -o a.fold --k-face=-1", "at least 0"),
+        ("fold square.fold -o a.fold --time-step soon", "`paper`, `safe` or a finite number"),
+        ("fold square.fold -o a.fold --time-step -1", "`paper`, `safe` or a finite number"),
+        ("fold square.fold -o a.fold --integrator leapfrog", "euler, verlet"),
+        ("fold square.fold -o a.fold --solver magic", "relax, dynamics"),
+        ("fold square.fold -o a.fold --steps -3", "-3"),
+        ("fold square.fold -o a.fold --frames 0", "0 is not in 1..=100000"),
+        ("fold square.fold -o a.fold --threads 0", "--threads"),
+        ("fold square.fold -o a.fold --backend gpu", "this build has no GPU backend"),
+        ("fold square.fold -o a.png", "a.png: the format .png is not known; expected .fold, .obj or .stl"),
+        ("fold square.fold -o a", "a: no extension tells the format; expected .fold, .obj or .stl"),
+        ("fold square.fold -o away/a.fold", "away/a.fold: there is no folder away"),
+        ("fold square.fold -o a.fold -o a.fold", "a.fold is named twice"),
+        ("fold square.fold -o - -o -", "- is named twice"),
+        ("fold square.fold -o - --report -", "expected different ones"),
+        ("fold square.fold -o a.fold --report a.fold", "expected different ones"),
+        ("fold square.fold -o a.fold --report square.fold", "would overwrite an input"),
+        ("fold square.fold -o a.fold --report ./square.fold", "would overwrite an input"),
+        ("fold square.fold -o a.fold --report away/r.json", "there is no folder away"),
+        ("fold square.fold -o a.fold --format obj", "--format is for folders"),
+        ("fold square.fold square.fold -o a.fold", "2 inputs cannot go into one file"),
+        ("fold square.fold other.fold -o -", "2 inputs cannot go into one file"),
+        ("fold square.fold ./square.fold -o out/", "would both be written as square"),
+        ("fold - - --report r.json", "standard input (-) is named twice"),
+        ("info", "<INPUT>"),
+        ("pattern miura", "--output"),
+        ("pattern miura --set columns -o a.fold", "expected KEY=VALUE"),
+        ("pattern miura --set columns=many -o a.fold", "expected a finite number"),
+        ("completions klingon", "klingon"),
+    ];
+    for (words, expected) in cases {
+        let ran = place.run(words);
+        ran.fails(1, expected);
+        assert_eq!(ran.stdout, "", "{words}");
+        assert_eq!(place.names(), ["square.fold"], "{words} leaves nothing behind");
+    }
+}
+
+#[test]
+fn options_without_effect_are_told() {
+    let place = Place::new();
+    let ran = place.run("fold square.fold -o a.fold --time-step safe --integrator verlet --zeta 0.1 --percent 120");
+    assert_eq!(ran.code, 0);
+    for expected in [
+        "warning: --time-step has no effect with --solver relax",
+        "warning: --integrator has no effect with --solver relax",
+        "warning: --zeta has no effect with --solver relax",
+        "warning: --percent 120: folds past the pattern's own angles",
+    ] {
+        assert!(ran.stderr.contains(expected), "{}", ran.stderr);
+    }
+    place.run("fold square.fold -o a.fold --zeta 0.1 --quiet").succeeds();
+    place.run("fold square.fold -o a.fold --solver dynamics --zeta 0.1").succeeds();
+}

@@ -1,0 +1,62 @@
+//! Leaving symmetry: a sheet folded from an exactly symmetric state stays on the saddle between its two ways to buckle,
+//! where forces vanish and no test of convergence sees that the state is not stable.
+
+use glam::DVec3;
+
+use crate::model::Model;
+
+/// Moves every free node by up to `share` of its shortest beam in each direction. The direction comes from the bits of
+/// its position at rest: the same for every run and every numbering.
+pub(super) fn perturb(model: &Model, positions: &mut [DVec3], share: f64) {
+    let mut shortest = vec![f64::INFINITY; positions.len()];
+    for beam in &model.beams {
+        for n in beam.nodes {
+            shortest[n.index()] = shortest[n.index()].min(beam.rest_length);
+        }
+    }
+    for node in &model.fixed {
+        shortest[node.index()] = 0.0;
+    }
+    for ((p, rest), length) in positions.iter_mut().zip(&model.rest).zip(shortest) {
+        // Adding 0 makes -0 and 0 the same number.
+        let mut bits = rest.to_array().iter().fold(0, |bits, x| mixed(bits ^ (x + 0.0).to_bits()));
+        let mut random = || {
+            bits = mixed(bits);
+            // The upper 53 bits as a number from -1 to 1.
+            (bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        *p += DVec3::new(random(), random(), random()) * (share * length);
+    }
+}
+
+/// `SplitMix64` (Steele, Lea and Flood, OOPSLA 2014): every bit of the result depends on every bit of `bits`.
+fn mixed(bits: u64) -> u64 {
+    let bits = bits.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    bits ^ (bits >> 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::miura;
+    use crate::model::Material;
+
+    #[test]
+    fn moves_are_small_different_and_without_a_preferred_direction() {
+        let model = Model::new(&miura(20, 20).expect("valid"), &Material::default()).expect("valid");
+        let shortest = model.beams.iter().map(|b| b.rest_length).fold(f64::INFINITY, f64::min);
+        let longest = model.beams.iter().map(|b| b.rest_length).fold(0.0, f64::max);
+        let mut positions = model.rest.clone();
+        perturb(&model, &mut positions, 1e-4);
+        let moves: Vec<DVec3> = positions.iter().zip(&model.rest).map(|(p, rest)| *p - *rest).collect();
+        assert!(moves.iter().all(|m| m.abs().max_element() <= 1e-4 * longest));
+        let mean = moves.iter().sum::<DVec3>() / moves.len() as f64;
+        let size = (moves.iter().map(|m| m.length_squared()).sum::<f64>() / moves.len() as f64).sqrt();
+        // Uniform in a cube: the root mean square is its half side.
+        assert!(size > 0.9e-4 * shortest && size < 1.1e-4 * longest, "{size}");
+        assert!(mean.length() < 0.2 * size, "{mean}");
+        assert!(moves.windows(2).all(|pair| pair[0] != pair[1]));
+    }
+}

@@ -191,3 +191,10 @@ fn random_chords_always_fill_the_square() {
         triangles(&pattern);
     }
 }
+
+#[test]
+fn lines_without_length_only_are_refused() {
+    let coords = [[2.0, 4.0], [4.0, 2.0], [4.0, 2.0], [4.0, 2.0]];
+    let message = refused(&flat(&coords, &[[2, 1], [1, 2], [3, 1]], "", &[]));
+    assert!(message.starts_with("edges_vertices: the lines enclose no paper"), "{message}");
+}

@@ -16,8 +16,7 @@ pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap) -> Result<Sides,
         add_faces(draft, walks)?;
     }
     if draft.faces.is_empty() {
-        let problem = "the lines enclose no paper, and there is no faces_vertices";
-        return Err(Error::invalid("edges_vertices", problem, "closed outlines, or faces"));
+        return Err(no_paper());
     }
     let sides = sides::collect(draft, map, Some(Letter::Join))?;
     for (edge, _) in sides.iter().enumerate().filter(|(_, pair)| pair[1].is_some()) {
@@ -28,6 +27,12 @@ pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap) -> Result<Sides,
         }
     }
     Ok(sides)
+}
+
+/// The refusal of lines that make no face.
+pub(super) fn no_paper() -> Error {
+    let problem = "the lines enclose no paper, and there is no faces_vertices";
+    Error::invalid("edges_vertices", problem, "closed outlines, or faces")
 }
 
 /// Whether each region is paper. Crossing a boundary edge leads from outside into paper, from paper into a hole and from

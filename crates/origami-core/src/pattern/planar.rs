@@ -4,13 +4,14 @@ use glam::{DVec2, DVec3};
 
 use super::boxes::{Bounds, BoxTree};
 use super::draft::{Draft, DraftEdge, EdgeMap};
+use super::paper::no_paper;
 use super::places::Places;
-use super::plane::orient;
+use super::plane::{extent, orient};
 use crate::error::Error;
 
 /// What is nearer than this, in sizes of the pattern, touches. Files with six digits are off by as much.
 const TOUCH: f64 = 2e-6;
-/// Splitting a line moves it by as much as `TOUCH`, so that it may meet others: then there is another round.
+/// Splitting a line moves it by as much, so that it may meet others: then there is another round.
 const ROUNDS: usize = 32;
 /// More pieces than this are refused.
 const MOST_PIECES: usize = 1 << 23;
@@ -42,6 +43,9 @@ pub(super) fn arrange(draft: &mut Draft) -> Result<EdgeMap, Error> {
             pieces.push(Piece { ends, edge: index as u32, fresh: true });
         }
     }
+    if pieces.is_empty() {
+        return Err(no_paper());
+    }
     for _ in 0..ROUNDS {
         let splits = graph.meetings(&pieces)?;
         if splits.is_empty() {
@@ -59,6 +63,8 @@ fn crowded() -> Error {
 
 /// Vertices in the plane.
 struct Graph {
+    /// `TOUCH` in the unit of the points.
+    touch: f64,
     points: Vec<DVec2>,
     places: Places,
 }
@@ -67,7 +73,8 @@ impl Graph {
     fn new(draft: &mut Draft) -> Self {
         let points: Vec<_> = draft.points.iter().map(|p| p.truncate()).collect();
         let origin = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
-        let mut places = Places::new(origin, TOUCH, points.len());
+        let touch = TOUCH * extent(&draft.points).max_element();
+        let mut places = Places::new(origin, touch, points.len());
         for (index, &point) in points.iter().enumerate() {
             if let Some(first) = places.find(point) {
                 draft.vertex_alias[index] = Some(first);
@@ -77,7 +84,7 @@ impl Graph {
                 places.insert(index as u32, point);
             }
         }
-        Self { points, places }
+        Self { touch, points, places }
     }
 
     fn ends(&self, piece: &Piece) -> [DVec2; 2] {
@@ -92,8 +99,8 @@ impl Graph {
         let mut near = Vec::new();
         for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| piece.fresh) {
             let [a, b] = self.ends(piece);
-            let own = bounds[index].grown(TOUCH);
-            let wanted = |other: &Bounds| own.overlaps(other) && !other.grown(TOUCH).misses_line(a, b - a);
+            let own = bounds[index].grown(self.touch);
+            let wanted = |other: &Bounds| own.overlaps(other) && !other.grown(self.touch).misses_line(a, b - a);
             near.clear();
             tree.visit(wanted, |other| {
                 if other != index && !(pieces[other].fresh && other < index) && own.overlaps(&bounds[other]) {
@@ -147,7 +154,7 @@ impl Graph {
         let [a, b] = self.ends(line);
         let along = b - a;
         let at = (point - a).dot(along) / along.length_squared();
-        let inside = at > 0.0 && at < 1.0 && (a + at * along).distance(point) <= TOUCH;
+        let inside = at > 0.0 && at < 1.0 && (a + at * along).distance(point) <= self.touch;
         inside.then_some(at)
     }
 

@@ -24,6 +24,7 @@ pub(crate) struct Settings {
     pub(crate) tolerance: f64,
     /// The rule for the length of a step of dynamics.
     time_step: TimeStep,
+    integrator: Integrator,
 }
 
 impl Settings {
@@ -38,13 +39,15 @@ impl Settings {
         }
         let (tolerance, max_steps, steps) = (solving.tolerance, solving.max_steps, solving.steps);
         let time_step = solving.time_step.unwrap_or(TimeStep::Paper);
+        let integrator = match solving.integrator {
+            None | Some(IntegratorName::Euler) => Integrator::Euler,
+            Some(IntegratorName::Verlet) => Integrator::Verlet,
+        };
         let solver: Box<dyn Solver + Sync> = match solving.solver {
-            SolverName::Relax => Box::new(Relax { tolerance, ramp: solving.ramp, max_steps, steps, retry: true }),
+            SolverName::Relax => {
+                Box::new(Relax { tolerance, ramp: solving.ramp, max_steps, steps, ..Relax::default() })
+            }
             SolverName::Dynamics => {
-                let integrator = match solving.integrator {
-                    None | Some(IntegratorName::Euler) => Integrator::Euler,
-                    Some(IntegratorName::Verlet) => Integrator::Verlet,
-                };
                 let ramp = solving.ramp.unwrap_or(0);
                 Box::new(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps })
             }
@@ -58,6 +61,7 @@ impl Settings {
             solver,
             tolerance,
             time_step,
+            integrator,
         })
     }
 
@@ -66,7 +70,7 @@ impl Settings {
         match (self.solver_name, self.time_step) {
             (SolverName::Relax, _) => None,
             (SolverName::Dynamics, TimeStep::Paper) => Some(time_step::paper(model)),
-            (SolverName::Dynamics, TimeStep::Safe) => Some(time_step::safe(model, &model.rest)),
+            (SolverName::Dynamics, TimeStep::Safe) => Some(time_step::safe(model, &model.rest, self.integrator)),
             (SolverName::Dynamics, TimeStep::Fixed(dt)) => Some(dt),
         }
     }

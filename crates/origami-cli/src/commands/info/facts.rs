@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use origami::fold::{Document, Frame};
 use origami::model::{Material, Model};
 use origami::pattern::{Assignment, CreasePattern};
-use origami::solve::time_step;
+use origami::solve::{Integrator, time_step};
 use origami::{Error, Warning};
 use serde::Serialize;
 use serde_json::Value;
@@ -91,7 +91,10 @@ impl Facts {
         self.spoken_warnings.extend_from_slice(&pattern.warnings);
         self.pattern = Some(Pattern::of(&pattern));
         let model = Model::new(&pattern, material)?;
-        let steps = TimeSteps { paper: time_step::paper(&model), safe: time_step::safe(&model, &model.rest) };
+        let steps = TimeSteps {
+            paper: time_step::paper(&model),
+            safe: time_step::safe(&model, &model.rest, Integrator::Euler),
+        };
         self.model = Some(ModelFacts { scene: Scene::new(&pattern, &model, &[], &[]), time_step: steps });
         Ok(())
     }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Beam, CornerAngles, Crease, DEGENERATE, Inventory, Material, Model, Normalisation};
-use crate::error::Error;
+use crate::error::{Error, Short};
 use crate::forces::creases::hinge;
 use crate::ids::{NodeId, SideId, TriangleId};
 use crate::mesh::{Mesh, Side};
@@ -48,7 +48,11 @@ fn beams(pattern: &CreasePattern, mesh: &Mesh, material: &Material, rest: &[DVec
             let [a, b] = [i, j].map(|n| mesh.vertex_of_node[n.index()].0);
             return Err(Error::invalid(
                 format!("vertices_coords[{a}] and vertices_coords[{b}]"),
-                format!("the edge between them has length {rest_length} of the sheet's radius and rigidity {ea}"),
+                format!(
+                    "the edge between them has length {} of the sheet's radius and rigidity {}",
+                    Short(rest_length),
+                    Short(ea)
+                ),
                 "two different places and a rigidity above 0",
             ));
         }

@@ -103,12 +103,12 @@ fn angles_without_effect_are_told() {
     assert_eq!(
         warnings(&frame),
         [
-            "edges_foldAngle[0]: 45 degrees where no two faces meet; ignored (and 1 more)",
+            "edges_foldAngle[0]: 45 degrees on a boundary or cut; ignored (and 1 more)",
             "edges_foldAngle[4]: V with null: a free crease, which nothing drives",
         ]
     );
     let cut = with_angles(square("BBBBC", true), &[None, None, None, None, Some(1e300)]);
-    assert_eq!(warnings(&cut), ["edges_foldAngle[4]: 1e300 degrees where no two faces meet; ignored"]);
+    assert_eq!(warnings(&cut), ["edges_foldAngle[4]: 1e300 degrees on a boundary or cut; ignored"]);
 }
 
 #[test]

@@ -82,7 +82,7 @@ fn note_useless_angle(edge: &DraftEdge, notes: &mut Notes) {
         && degrees != 0.0
     {
         let place = || edge.origin.place("edges_foldAngle");
-        notes.add_with("degrees where no two faces meet; ignored", || (place(), Short(degrees).to_string()));
+        notes.add_with("degrees on a boundary or cut; ignored", || (place(), Short(degrees).to_string()));
     }
 }
 

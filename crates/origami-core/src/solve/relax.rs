@@ -28,7 +28,7 @@ pub struct Relax {
     /// Evaluations over which the target angles rise; 0 is a jump. Longer: fewer tangled states, more evaluations.
     /// Default: [`default_ramp`].
     pub ramp: Option<u32>,
-    /// Evaluations after which it gives up, for each attempt. Default 100 000.
+    /// Evaluations after which it gives up, all attempts together. Default 100 000.
     pub max_steps: u64,
     /// Run exactly so many evaluations instead, in one attempt. Default: until it has converged.
     pub steps: Option<u64>,
@@ -72,19 +72,20 @@ impl Solver for Relax {
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Diverged> {
         let ramp = self.ramp.unwrap_or_else(|| default_ramp(model));
-        let mut kept = self.attempt(model, start, percent, ramp, observe)?;
+        let limit = self.steps.unwrap_or(self.max_steps);
+        let mut kept = self.attempt(model, start, percent, (ramp, limit), observe)?;
         if !self.retry || self.steps.is_some() || start.tangled_creases() > 0 {
             return Ok(kept);
         }
         let longer = ramp.max(default_ramp(model)).saturating_mul(LONGER_RAMP);
         for (ramp, attempts) in [(longer, 2), (0, 3)] {
-            if kept.state.tangled_creases() == 0 {
+            let so_far = kept.steps;
+            if kept.state.tangled_creases() == 0 || so_far >= limit {
                 break;
             }
-            let so_far = kept.steps;
             let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
             // The state at hand is finite: another way that diverges does not take it away.
-            let Ok(other) = self.attempt(model, start, percent, ramp, &mut observe) else { continue };
+            let Ok(other) = self.attempt(model, start, percent, (ramp, limit - so_far), &mut observe) else { continue };
             let steps = so_far + other.steps;
             let lower = other.state.energy(model).total() < kept.state.energy(model).total();
             kept = Folded { steps, attempts, ..if lower { other } else { kept } };
@@ -112,7 +113,7 @@ impl Relax {
         model: &Model,
         start: &State,
         percent: f64,
-        ramp: u32,
+        (ramp, limit): (u32, u64),
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Diverged> {
         let mut state = State { velocities: vec![glam::DVec3::ZERO; model.node_count()], ..start.clone() };
@@ -127,7 +128,6 @@ impl Relax {
         let mut settling = Settling::new(model, self.tolerance);
         let mut before = state.fold_angles.clone();
 
-        let limit = self.steps.unwrap_or(self.max_steps);
         let mut steps = 0;
         let stop = loop {
             if steps >= limit {
@@ -153,7 +153,7 @@ impl Relax {
         };
 
         state.velocities.fill(glam::DVec3::ZERO);
-        state.targets = ramp.targets;
+        state.targets = ramp.into_asked();
         let residual = largest(forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles));
         let (time_step, distance) = (fire.step(), settling.distance());
         Ok(Folded { state, percent, stop, steps, time_step, residual, distance, attempts: 1 })

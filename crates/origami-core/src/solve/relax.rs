@@ -13,6 +13,8 @@ use crate::model::{LeftOut, Model};
 const HOLD: f64 = 0.1;
 /// How much longer the ramp of a second attempt is; the third is a jump, which goes another way altogether.
 const LONGER_RAMP: u32 = 3;
+/// The shortest ramp that is taken by itself.
+const SHORTEST_RAMP: u32 = 100;
 /// Evaluations between two reports of progress.
 const REPORT: u64 = 50;
 
@@ -26,7 +28,7 @@ pub struct Relax {
     /// Default 1e-4.
     pub tolerance: f64,
     /// Evaluations over which the target angles rise; 0 is a jump. Longer: fewer tangled states, more evaluations.
-    /// Default: [`default_ramp`].
+    /// Default: [`default_ramp`] from the sheet at rest, its share of that from a state on the way.
     pub ramp: Option<u32>,
     /// Evaluations after which it gives up, all attempts together. Default 100 000.
     pub max_steps: u64,
@@ -63,6 +65,20 @@ pub fn default_ramp(model: &Model) -> u32 {
     ramp
 }
 
+/// The default ramp from `start`: from a state on the way, its share of the whole, but not so short that it is a jump.
+fn ramp_from(model: &Model, start: &State, percent: f64) -> u32 {
+    let whole = default_ramp(model);
+    if model.creases.iter().zip(&start.targets).all(|(crease, target)| crease.rest_angle == *target) {
+        return whole;
+    }
+    let steps = model.creases.iter().zip(&start.targets).map(|(c, target)| (c.goal * percent / 100.0 - target).abs());
+    let goals = model.creases.iter().map(|c| c.goal.abs());
+    let share = steps.fold(0.0, f64::max) / goals.fold(0.0, f64::max);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a u32, saturating")]
+    let part = (share * f64::from(whole)) as u32;
+    part.clamp(SHORTEST_RAMP.min(whole), whole)
+}
+
 impl Solver for Relax {
     fn fold(
         &self,
@@ -71,7 +87,7 @@ impl Solver for Relax {
         percent: f64,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Diverged> {
-        let ramp = self.ramp.unwrap_or_else(|| default_ramp(model));
+        let ramp = self.ramp.unwrap_or_else(|| ramp_from(model, start, percent));
         let limit = self.steps.unwrap_or(self.max_steps);
         let mut kept = self.attempt(model, start, percent, (ramp, limit), observe)?;
         if !self.retry || self.steps.is_some() || start.tangled_creases() > 0 {

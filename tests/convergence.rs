@@ -65,6 +65,7 @@ fn too_few_steps_are_no_convergence() {
     assert_eq!((folded.stop, folded.steps), (Stop::StepLimit, 100));
     let folded = fold(&model, &Dynamics { max_steps: 100, ..Dynamics::default() }, 60.0);
     assert_eq!((folded.stop, folded.steps), (Stop::StepLimit, 100));
+    assert_eq!(folded.state.targets, model.targets(60.0), "energy and angles are held against what was asked");
     let folded = fold(&model, &Relax { steps: Some(1234), ..Relax::default() }, 60.0);
     assert_eq!((folded.stop, folded.steps), (Stop::StepsDone, 1234));
 }

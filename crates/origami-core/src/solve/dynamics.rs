@@ -103,7 +103,7 @@ impl Solver for Dynamics {
             }
         };
 
-        state.targets = ramp.targets;
+        state.targets = ramp.into_asked();
         let values = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles);
         let residual = largest(values);
         if self.integrator == Integrator::Verlet && steps > 0 {

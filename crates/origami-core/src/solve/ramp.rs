@@ -48,6 +48,11 @@ impl<'a> Ramp<'a> {
         }
     }
 
+    /// The targets at its end, whether it got there or not: what the state is to be measured against.
+    pub(super) fn into_asked(self) -> Vec<f64> {
+        self.to
+    }
+
     fn finish(&mut self) {
         self.share = 1.0;
         self.targets.copy_from_slice(&self.to);
@@ -71,6 +76,7 @@ mod tests {
             assert_eq!(steps, length);
             assert_eq!(ramp.targets, vec![2.3, 0.7]);
         }
+        assert_eq!(Ramp::new(&[0.0], vec![1.0], 5).into_asked(), [1.0], "before its end too");
         assert!(Ramp::new(&[0.0], vec![1.0], 0).done(), "a jump is over at once");
         assert!(Ramp::new(&[1.0], vec![1.0], 5).done(), "there is no way to go");
     }

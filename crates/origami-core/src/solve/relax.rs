@@ -13,6 +13,8 @@ use crate::model::{LeftOut, Model};
 const HOLD: f64 = 0.1;
 /// How much longer the ramp of a second attempt is; the third is a jump, which goes another way altogether.
 const LONGER_RAMP: u32 = 3;
+/// The shortest ramp that is taken by itself.
+const SHORTEST_RAMP: u32 = 100;
 /// Evaluations between two reports of progress.
 const REPORT: u64 = 50;
 
@@ -26,9 +28,9 @@ pub struct Relax {
     /// Default 1e-4.
     pub tolerance: f64,
     /// Evaluations over which the target angles rise; 0 is a jump. Longer: fewer tangled states, more evaluations.
-    /// Default: [`default_ramp`].
+    /// Default: [`default_ramp`] from the sheet at rest, its share of that from a state on the way.
     pub ramp: Option<u32>,
-    /// Evaluations after which it gives up, for each attempt. Default 100 000.
+    /// Evaluations after which it gives up, all attempts together. Default 100 000.
     pub max_steps: u64,
     /// Run exactly so many evaluations instead, in one attempt. Default: until it has converged.
     pub steps: Option<u64>,
@@ -63,6 +65,20 @@ pub fn default_ramp(model: &Model) -> u32 {
     ramp
 }
 
+/// The default ramp from `start`: from a state on the way, its share of the whole, but not so short that it is a jump.
+fn ramp_from(model: &Model, start: &State, percent: f64) -> u32 {
+    let whole = default_ramp(model);
+    if model.creases.iter().zip(&start.targets).all(|(crease, target)| crease.rest_angle == *target) {
+        return whole;
+    }
+    let steps = model.creases.iter().zip(&start.targets).map(|(c, target)| (c.goal * percent / 100.0 - target).abs());
+    let goals = model.creases.iter().map(|c| c.goal.abs());
+    let share = steps.fold(0.0, f64::max) / goals.fold(0.0, f64::max);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a u32, saturating")]
+    let part = (share * f64::from(whole)) as u32;
+    part.clamp(SHORTEST_RAMP.min(whole), whole)
+}
+
 impl Solver for Relax {
     fn fold(
         &self,
@@ -71,20 +87,21 @@ impl Solver for Relax {
         percent: f64,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Diverged> {
-        let ramp = self.ramp.unwrap_or_else(|| default_ramp(model));
-        let mut kept = self.attempt(model, start, percent, ramp, observe)?;
+        let ramp = self.ramp.unwrap_or_else(|| ramp_from(model, start, percent));
+        let limit = self.steps.unwrap_or(self.max_steps);
+        let mut kept = self.attempt(model, start, percent, (ramp, limit), observe)?;
         if !self.retry || self.steps.is_some() || start.tangled_creases() > 0 {
             return Ok(kept);
         }
         let longer = ramp.max(default_ramp(model)).saturating_mul(LONGER_RAMP);
         for (ramp, attempts) in [(longer, 2), (0, 3)] {
-            if kept.state.tangled_creases() == 0 {
+            let so_far = kept.steps;
+            if kept.state.tangled_creases() == 0 || so_far >= limit {
                 break;
             }
-            let so_far = kept.steps;
             let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
             // The state at hand is finite: another way that diverges does not take it away.
-            let Ok(other) = self.attempt(model, start, percent, ramp, &mut observe) else { continue };
+            let Ok(other) = self.attempt(model, start, percent, (ramp, limit - so_far), &mut observe) else { continue };
             let steps = so_far + other.steps;
             let lower = other.state.energy(model).total() < kept.state.energy(model).total();
             kept = Folded { steps, attempts, ..if lower { other } else { kept } };
@@ -112,7 +129,7 @@ impl Relax {
         model: &Model,
         start: &State,
         percent: f64,
-        ramp: u32,
+        (ramp, limit): (u32, u64),
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Diverged> {
         let mut state = State { velocities: vec![glam::DVec3::ZERO; model.node_count()], ..start.clone() };
@@ -127,7 +144,6 @@ impl Relax {
         let mut settling = Settling::new(model, self.tolerance);
         let mut before = state.fold_angles.clone();
 
-        let limit = self.steps.unwrap_or(self.max_steps);
         let mut steps = 0;
         let stop = loop {
             if steps >= limit {
@@ -153,7 +169,7 @@ impl Relax {
         };
 
         state.velocities.fill(glam::DVec3::ZERO);
-        state.targets = ramp.targets;
+        state.targets = ramp.into_asked();
         let residual = largest(forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles));
         let (time_step, distance) = (fire.step(), settling.distance());
         Ok(Folded { state, percent, stop, steps, time_step, residual, distance, attempts: 1 })

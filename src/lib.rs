@@ -1,2 +1,20 @@
-//! Folds origami crease patterns.
+//! Folds origami crease patterns: the bar-and-hinge method of Ghassaei, Demaine and Gershenfeld (2018), with the truth
+//! about convergence and error.
+//!
+//! ```
+//! use origami::{Material, Model, Relax, generate::BirdBase};
+//!
+//! let pattern = BirdBase::default().pattern()?;
+//! let model = Model::new(&pattern, &Material::default())?;
+//! let folded = Relax::default().fold_from_rest(&model, 90.0)?;
+//! assert!(folded.converged());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! `examples/embed.rs` does the same from file to file. Data flows one way: a FOLD [`Document`](fold::Document) becomes a
+//! [`CreasePattern`], its [`Model`] the triangulated sheet with its springs; a [`Solver`] ([`Relax`] unless the motion
+//! itself is wanted, then [`Dynamics`]) folds it; [`measure`] says how strained it is and [`export`] writes it.
+//!
+//! This crate is a facade: everything is `origami_core`'s. Errors name the place in the file ([`Error`]); what was odd but
+//! could be put right is among the pattern's [`warnings`](CreasePattern::warnings). Equal input gives equal bits.
 pub use origami_core::*;

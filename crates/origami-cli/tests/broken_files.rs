@@ -1,6 +1,5 @@
 //! Files as they are met in practice, broken in one way each: `tests/broken/NAME.fold` at the root of the repository.
 //! Each either folds, with a warning that names the place, or is refused with an error that does.
-#![expect(clippy::unwrap_used, reason = "a test may")]
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

@@ -4,7 +4,6 @@ use std::fs;
 
 use origami::export::{self, Stage, write_obj, write_stl, write_whole};
 use origami::fold::Document;
-use origami::measure::edge_fold_angles;
 use origami::model::Model;
 use origami::solve::Folded;
 use origami::{CreasePattern, Error};
@@ -81,7 +80,7 @@ fn whole(
 impl Sheet<'_> {
     /// As a FOLD document that says how far each state is from the equilibrium.
     fn fold(&self) -> Result<Document, Error> {
-        let stages: Vec<Stage> = self.states.iter().map(|folded| self.stage(folded)).collect();
+        let stages: Vec<Stage> = self.states.iter().map(|folded| Stage::of(self.model, self.pattern, folded)).collect();
         if self.animated {
             let mut document = export::animation(self.document, self.frame, self.pattern, &stages)?;
             // Of an input that was folded itself.
@@ -95,14 +94,6 @@ impl Sheet<'_> {
         let mut document = export::folded_form(self.document, self.frame, self.pattern, stage)?;
         mark(&mut document.key_frame.extra, folded);
         Ok(document)
-    }
-
-    fn stage(&self, folded: &Folded) -> Stage {
-        Stage {
-            percent: folded.percent,
-            positions: self.model.file_positions(self.pattern, &folded.state.positions),
-            fold_angles: edge_fold_angles(self.model, self.pattern, &folded.state),
-        }
     }
 }
 

@@ -7,7 +7,10 @@ use super::CREATOR;
 use super::sheet::{UNCLAMPED, coordinates, number, set_angles, set_topology};
 use crate::error::Error;
 use crate::fold::{Coordinates, Document, Frame};
+use crate::measure::edge_fold_angles;
+use crate::model::Model;
 use crate::pattern::CreasePattern;
+use crate::solve::Folded;
 
 /// Where folding got to.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,6 +22,18 @@ pub struct Stage {
     pub positions: Vec<DVec3>,
     /// The fold angle reached by each edge of the pattern, in radians, valley positive; `None` for boundaries.
     pub fold_angles: Vec<Option<f64>>,
+}
+
+impl Stage {
+    /// That of a state which a solver arrived at.
+    #[must_use]
+    pub fn of(model: &Model, pattern: &CreasePattern, folded: &Folded) -> Self {
+        Self {
+            percent: folded.percent,
+            positions: model.file_positions(pattern, &folded.state.positions),
+            fold_angles: edge_fold_angles(model, pattern, &folded.state),
+        }
+    }
 }
 
 /// The folded form as a FOLD document of one frame.

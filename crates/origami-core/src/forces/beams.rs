@@ -1,4 +1,4 @@
-//! Beams (paper 2.2): `F_i = k (l - l0) e_ij`, `F_j = -F_i`, with `k = EA / l0` and e_ij the unit vector from i to j.
+//! Beams (paper 2.2): `F_i = k (l - l0) e_ij`, `F_j = -F_i`, with `k = EA / l0` and `e_ij` the unit vector from i to j.
 
 use glam::DVec3;
 

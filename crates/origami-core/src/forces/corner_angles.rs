@@ -43,7 +43,8 @@ impl Triangle {
 
     /// Whether it has shrunk to a line (or is not finite): it has no normal then, and pulls at nothing.
     pub(crate) fn collapsed(&self) -> bool {
-        !(self.doubled_area > f64::MIN_POSITIVE)
+        let has_area = self.doubled_area > f64::MIN_POSITIVE;
+        !has_area
     }
 
     #[inline(always)]

@@ -13,7 +13,6 @@
 //! assert_eq!(by_type, by_name);
 //! # Ok::<(), origami_core::Error>(())
 //! ```
-#![cfg_attr(test, expect(clippy::unwrap_used, reason = "a test that meets an error fails"))]
 
 mod bird_base;
 mod builder;

@@ -21,6 +21,7 @@ mod paper;
 pub(crate) mod places;
 mod planar;
 pub(crate) mod plane;
+mod read;
 pub(crate) mod region;
 mod sides;
 mod table;

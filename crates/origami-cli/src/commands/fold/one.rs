@@ -55,13 +55,12 @@ fn attempt(
     seconds.read = watch.lap();
 
     let index = settings.frame.map_or_else(|| document.pattern_frame(), Ok)?;
-    let pattern = CreasePattern::from_frame(&document.frame(index)?)?;
-    let warnings = [document.warnings.as_slice(), &pattern.warnings].concat();
-    told.warnings = warnings.clone();
+    let pattern = CreasePattern::from_document(&document, index)?;
+    told.warnings.clone_from(&pattern.warnings);
     let model = Model::new(&pattern, &settings.material)?;
     seconds.build = watch.lap();
 
-    let scene = Scene::new(&pattern, &model, &settings.solver.left_out(&model), &warnings);
+    let scene = Scene::new(&pattern, &model, &settings.solver.left_out(&model), &pattern.warnings);
     let solved = fold_path(&model, settings.solver.as_ref(), &settings.percents, observe);
     seconds.solve = watch.lap();
     let mut run = Run {

@@ -1,0 +1,63 @@
+//! From files to patterns in one call.
+
+use std::path::Path;
+
+use super::CreasePattern;
+use crate::error::Error;
+use crate::fold::Document;
+
+impl CreasePattern {
+    /// The crease pattern in a FOLD file: that of its first frame with vertex positions. Who wants to write a FOLD file
+    /// that keeps what else is in this one reads the [`Document`] first and takes [`from_document`](Self::from_document).
+    ///
+    /// # Errors
+    /// As for [`Document::read`], [`Document::pattern_frame`] and [`CreasePattern::from_frame`].
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let document = Document::read(path)?;
+        Self::from_document(&document, document.pattern_frame()?)
+    }
+
+    /// The crease pattern in frame `frame` of `document`, with the warnings of both.
+    ///
+    /// # Errors
+    /// As for [`Document::frame`] and [`CreasePattern::from_frame`].
+    pub fn from_document(document: &Document, frame: usize) -> Result<Self, Error> {
+        let mut pattern = Self::from_frame(&document.frame(frame)?)?;
+        pattern.warnings.splice(0..0, document.warnings.iter().cloned());
+        Ok(pattern)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square with a diagonal, its angles under the name of FOLD 1.0, in the second frame.
+    const TEXT: &str = r#"{"file_frames": [{
+        "vertices_coords": [[0, 0], [1, 0], [1, 1], [0, 1]],
+        "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]],
+        "edges_assignment": ["B", "B", "B", "B", "v"],
+        "edges_foldAngles": [0, 0, 0, 0, 90]
+    }]}"#;
+
+    #[test]
+    fn finds_the_frame_and_keeps_all_warnings() {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), TEXT).unwrap();
+        let pattern = CreasePattern::read(file.path()).unwrap();
+        assert_eq!(pattern.faces.len(), 2);
+        let places: Vec<&str> = pattern.warnings.iter().map(|w| w.place.as_str()).collect();
+        assert_eq!(places[0], "file_frames[0].edges_foldAngles", "{places:?}");
+        assert!(places[1..].contains(&"edges_assignment[4]"), "{places:?}");
+    }
+
+    #[test]
+    fn errors_say_what_is_wrong() {
+        let document = Document::from_slice(TEXT.as_bytes()).unwrap();
+        let error = CreasePattern::from_document(&document, 2).unwrap_err().to_string();
+        assert_eq!(error, "frame 2: there is no such frame; expected a frame from 0 to 1");
+        let error = CreasePattern::from_document(&document, 0).unwrap_err().to_string();
+        assert!(error.starts_with("vertices_coords: "), "{error}");
+        assert!(CreasePattern::read("no such file.fold").unwrap_err().to_string().starts_with("no such file.fold: "));
+    }
+}

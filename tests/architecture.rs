@@ -1,0 +1,159 @@
+//! Holds `ARCHITECTURE.md` against the repository: the paths that it names exist, and modules use only those that it
+//! allows.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const CORE: &str = "crates/origami-core/src";
+
+/// Each module of the core, and those that it may use.
+const MAY_USE: [(&str, &[&str]); 11] = [
+    ("error", &[]),
+    ("ids", &[]),
+    ("fold", &["error"]),
+    ("pattern", &["error", "fold", "ids"]),
+    ("generate", &["error", "ids", "pattern"]),
+    ("mesh", &["error", "ids", "pattern"]),
+    // `forces` for one thing: the angle of a hinge at rest.
+    ("model", &["error", "forces", "ids", "mesh", "pattern"]),
+    ("forces", &["ids", "model"]),
+    ("solve", &["forces", "ids", "model"]),
+    ("measure", &["forces", "mesh", "model", "pattern", "solve"]),
+    ("export", &["error", "fold", "ids", "measure", "model", "pattern", "solve"]),
+];
+
+/// Where the core's root re-exports its most used names from.
+const REEXPORTS: [(&str, &str); 10] = [
+    ("Error", "error"),
+    ("Warning", "error"),
+    ("Material", "model"),
+    ("Model", "model"),
+    ("CreasePattern", "pattern"),
+    ("Dynamics", "solve"),
+    ("Folded", "solve"),
+    ("Relax", "solve"),
+    ("Solver", "solve"),
+    ("State", "solve"),
+];
+
+/// Text that no line of code in a folder may hold, and why.
+const NOT_IN: [(&str, &str, &str); 8] = [
+    (CORE, "wgpu", "the core knows no GPU"),
+    (CORE, "clap", "the core knows no command line"),
+    (CORE, "indicatif", "the core knows no terminal"),
+    (CORE, "println!", "a library does not print"),
+    ("crates/origami-core/src/solve", "HashMap", "the order of a hash map is not the same in every run"),
+    ("crates/origami-core/src/forces", "acos(", "its slope is infinite at 0 and pi, and rounding makes it NaN"),
+    ("crates/origami-core/src/forces", "asin(", "its slope is infinite at -1 and 1"),
+    ("crates/origami-core/src/mesh/sides.rs", "DVec3", "topology knows no positions"),
+];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// All Rust files at or below `path`, in order.
+fn sources(path: &Path) -> Vec<PathBuf> {
+    if path.is_file() {
+        return vec![path.to_owned()];
+    }
+    let entries = fs::read_dir(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let mut entries: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    entries.sort();
+    let files = entries.iter().flat_map(|entry| if entry.is_dir() { sources(entry) } else { vec![entry.clone()] });
+    files.filter(|file| file.extension().is_some_and(|extension| extension == "rs")).collect()
+}
+
+/// The lines of code before the tests, without comments.
+fn code(text: &str) -> impl Iterator<Item = &str> {
+    let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    code.lines().map(|line| line.split("//").next().unwrap_or_default())
+}
+
+/// The modules of the core that a file uses. Of `use crate::{a, b}` it sees nothing: such a line counts as the module `{`.
+fn uses(text: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    for line in code(text) {
+        for after in line.split("crate::").skip(1).filter(|_| !line.contains("pub(in crate::")) {
+            let name: String = after.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+            let module = REEXPORTS.iter().find(|(known, _)| *known == name).map_or(name.as_str(), |(_, module)| module);
+            names.push(if name.is_empty() { "{".to_owned() } else { module.to_owned() });
+        }
+        if line.contains("super::super") {
+            names.push("super::super".to_owned());
+        }
+    }
+    names
+}
+
+/// The modules that a file of `module` uses and may not.
+fn forbidden(module: &str, text: &str) -> Vec<String> {
+    let allowed = MAY_USE.iter().find(|(known, _)| *known == module).map_or(&[][..], |(_, allowed)| allowed);
+    uses(text).into_iter().filter(|used| used != module && !allowed.contains(&used.as_str())).collect()
+}
+
+/// What stands in backticks and looks like a path.
+fn paths(text: &str) -> Vec<&str> {
+    let quoted = text.split('`').skip(1).step_by(2);
+    quoted.filter(|p| !p.contains(char::is_whitespace) && (p.contains('/') || p.ends_with(".md"))).collect()
+}
+
+#[test]
+fn named_paths_exist() {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
+    let paths = paths(&text);
+    assert!(paths.len() > 20, "only {} paths", paths.len());
+    let missing: Vec<&&str> = paths.iter().filter(|path| !root().join(path).exists()).collect();
+    assert!(missing.is_empty(), "ARCHITECTURE.md names {missing:?}");
+}
+
+#[test]
+fn modules_use_what_they_may() {
+    for (module, _) in MAY_USE {
+        let folder = root().join(CORE).join(module);
+        let files = sources(&if folder.is_dir() { folder } else { folder.with_extension("rs") });
+        for file in files {
+            let found = forbidden(module, &fs::read_to_string(&file).expect("UTF-8"));
+            assert!(found.is_empty(), "{} uses {found:?}; {module} may not", file.display());
+        }
+    }
+}
+
+#[test]
+fn no_module_is_left_out() {
+    let text = fs::read_to_string(root().join(CORE).join("lib.rs")).expect("UTF-8");
+    let modules = code(&text).filter_map(|line| line.strip_prefix("pub mod ").or_else(|| line.strip_prefix("mod ")));
+    let modules: Vec<&str> = modules.map(|name| name.trim_end_matches(';')).collect();
+    assert_eq!(modules.len(), MAY_USE.len(), "{modules:?}");
+    let unknown: Vec<_> = modules.iter().filter(|name| MAY_USE.iter().all(|(known, _)| known != *name)).collect();
+    assert!(unknown.is_empty(), "{unknown:?}");
+}
+
+#[test]
+fn folders_hold_nothing_that_they_should_not() {
+    for (folder, word, why) in NOT_IN {
+        for file in sources(&root().join(folder)) {
+            let text = fs::read_to_string(&file).expect("UTF-8");
+            let line = code(&text).position(|line| line.contains(word));
+            assert_eq!(line, None, "{}: {word}: {why}", file.display());
+        }
+    }
+    let manifest = fs::read_to_string(root().join("crates/origami-core/Cargo.toml")).expect("UTF-8");
+    assert!(!["wgpu", "clap", "indicatif"].iter().any(|name| manifest.contains(name)), "a dependency of the core");
+    let library = fs::read_to_string(root().join(CORE).join("lib.rs")).expect("UTF-8");
+    assert!(library.contains("#![forbid(unsafe_code)]"));
+}
+
+#[test]
+fn the_checks_can_fail() {
+    assert_eq!(forbidden("mesh", "use crate::model::Beam;"), ["model"]);
+    assert_eq!(forbidden("forces", "use crate::model::Beam;\nfn f(_: &crate::solve::State) {}"), ["solve"]);
+    assert_eq!(forbidden("pattern", "    use crate::Model;"), ["model"]);
+    assert_eq!(forbidden("fold", "use crate::{error, pattern};"), ["{"]);
+    assert_eq!(forbidden("mesh", "use super::super::model;"), ["super::super"]);
+    assert!(
+        forbidden("mesh", "use crate::Error; // not crate::model\n#[cfg(test)]\nmod tests {\ncrate::model").is_empty()
+    );
+    assert_eq!(code("let a = b.acos(); // why").filter(|line| line.contains("acos(")).count(), 1);
+    assert_eq!(paths("see `src/lib.rs`, `a b/c`, `Model::new` and `README.md`"), ["src/lib.rs", "README.md"]);
+}

@@ -112,7 +112,8 @@ pub(crate) struct SolvingArgs {
     #[arg(long, value_name = "N")]
     pub(crate) steps: Option<u64>,
 
-    /// Steps over which the fold angles rise; 0 is a jump [default: dynamics 0; relax 1000, more above 300 vertices, shared by the stages]
+    /// Steps over which the fold angles rise; 0 is a jump [default: dynamics 0; relax 1000, more above 300 vertices,
+    /// shared by the stages]
     #[arg(long, value_name = "N")]
     pub(crate) ramp: Option<u32>,
 

@@ -104,7 +104,7 @@ pub(crate) struct SolvingArgs {
     #[arg(long, value_name = "T", value_parser = positive, default_value_t = DEFAULT_TOLERANCE)]
     pub(crate) tolerance: f64,
 
-    /// Steps after which to give up, for each stage and attempt
+    /// Steps after which to give up, for each stage; all its attempts together
     #[arg(long, value_name = "N", default_value_t = DEFAULT_MAX_STEPS)]
     pub(crate) max_steps: u64,
 
@@ -112,7 +112,8 @@ pub(crate) struct SolvingArgs {
     #[arg(long, value_name = "N")]
     pub(crate) steps: Option<u64>,
 
-    /// Steps over which the fold angles rise; 0 is a jump [default: dynamics 0; relax 1000, more above 300 vertices]
+    /// Steps over which the fold angles rise; 0 is a jump [default: dynamics 0; relax 1000, more above 300 vertices,
+    /// shared by the stages]
     #[arg(long, value_name = "N")]
     pub(crate) ramp: Option<u32>,
 

@@ -18,6 +18,20 @@ pub(super) fn row_sums(model: &Model, positions: &[DVec3], sums: &mut [f64]) {
             sums[n.index()] += 2.0 * beam.stiffness;
         }
     }
+    add_springs(model, positions, sums);
+}
+
+/// `K_i` of every node at rest as if its beams did not resist, and that of its beams where it has nothing else.
+pub(super) fn soft_sums(model: &Model) -> Vec<f64> {
+    let mut sums = vec![0.0; model.node_count()];
+    add_springs(model, &model.rest, &mut sums);
+    let mut with_beams = vec![0.0; model.node_count()];
+    row_sums(model, &model.rest, &mut with_beams);
+    sums.iter().zip(with_beams).map(|(soft, all)| if *soft > 0.0 { *soft } else { all }).collect()
+}
+
+/// Adds what creases and corner angles have.
+fn add_springs(model: &Model, positions: &[DVec3], sums: &mut [f64]) {
     for crease in &model.creases {
         let nodes = crease.nodes.map(|n| n.index());
         if let Some(hinge) = hinge(nodes.map(|n| positions[n])) {

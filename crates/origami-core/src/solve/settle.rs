@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::row_sums::soft_sums;
 use crate::model::Model;
 
 /// Successive windows that must all look settled.
@@ -20,12 +21,12 @@ const SHARE_OF_PAST: f64 = 0.05;
 ///
 /// `s` is the largest move of a node in a window. Were the energy a parabola along the window's move `dx`, its minimum
 /// would lie `|F.dx| / |dx.dF|` moves further on, with F the force at the end and dF its change: the larger of the two
-/// distances is the estimate. It is no less than the way that the largest force would take to stretch the stiffest beam:
-/// what does not move because its step is too short has not settled.
+/// distances is the estimate. It is no less than the way that the force on a node would take it against its creases and
+/// corner angles alone: what hardly moves because beams are very stiff, or the step is very short, has not settled.
 #[derive(Debug)]
 pub(super) struct Settling {
     tolerance: f64,
-    stiffest: f64,
+    softness: Vec<f64>,
     evaluations: u64,
     window_ends: u64,
     settled_windows: u32,
@@ -37,13 +38,13 @@ pub(super) struct Settling {
 impl Settling {
     /// Stops within `tolerance` radii of the equilibrium.
     pub(super) fn new(model: &Model, tolerance: f64) -> Self {
-        Self::with_stiffness(model.beams.iter().map(|b| b.stiffness).fold(0.0, f64::max), tolerance)
+        Self::with_stiffness(&soft_sums(model), tolerance)
     }
 
-    fn with_stiffness(stiffest: f64, tolerance: f64) -> Self {
+    fn with_stiffness(stiffness: &[f64], tolerance: f64) -> Self {
         Self {
             tolerance,
-            stiffest,
+            softness: stiffness.iter().map(|k| 1.0 / k).collect(),
             evaluations: 0,
             window_ends: 0,
             settled_windows: 0,
@@ -82,16 +83,16 @@ impl Settling {
     }
 
     fn estimate(&self, positions: &[DVec3], forces: &[DVec3]) -> f64 {
-        let (mut largest, mut force, mut ahead, mut change) = (0.0_f64, 0.0_f64, 0.0, 0.0);
+        let (mut largest, mut least, mut ahead, mut change) = (0.0_f64, 0.0_f64, 0.0, 0.0);
         let before = self.positions.iter().zip(&self.forces);
-        for ((p, f), (p0, f0)) in positions.iter().zip(forces).zip(before) {
+        for (((p, f), (p0, f0)), softness) in positions.iter().zip(forces).zip(before).zip(&self.softness) {
             let moved = *p - *p0;
             largest = largest.max(moved.length_squared());
-            force = force.max(f.length_squared());
+            least = least.max(f.length() * softness);
             ahead += f.dot(moved);
             change += (*f - *f0).dot(moved);
         }
-        let (largest, least) = (largest.sqrt(), force.sqrt() / self.stiffest);
+        let largest = largest.sqrt();
         if largest == 0.0 {
             return least;
         }
@@ -107,7 +108,7 @@ mod tests {
 
     /// A point that slides down a parabola, a fixed share of its distance at each evaluation.
     fn slide(share: f64, tolerance: f64) -> (u64, f64, f64) {
-        let mut settling = Settling::with_stiffness(7.0, tolerance);
+        let mut settling = Settling::with_stiffness(&[7.0], tolerance);
         let mut x = 1.0;
         for evaluation in 0..1_000_000 {
             let (p, f) = (DVec3::new(x, 0.0, 0.0), DVec3::new(-7.0 * x, 0.0, 0.0));
@@ -133,7 +134,7 @@ mod tests {
 
     #[test]
     fn a_point_that_goes_on_moving_never_settles() {
-        let mut settling = Settling::with_stiffness(20.0, 1e-4);
+        let mut settling = Settling::with_stiffness(&[20.0], 1e-4);
         let settled = (0..10_000).any(|i| {
             let x = f64::from(i) * 1e-5;
             settling.observe(&[DVec3::new(x, 0.0, 0.0)], &[DVec3::new(1.0, 0.0, 0.0)])
@@ -144,14 +145,14 @@ mod tests {
 
     #[test]
     fn rest_settles_after_the_least_number_of_evaluations() {
-        let mut settling = Settling::with_stiffness(20.0, 1e-4);
+        let mut settling = Settling::with_stiffness(&[20.0], 1e-4);
         let at = (0..1000).position(|_| settling.observe(&[DVec3::ONE], &[DVec3::ZERO]));
         assert_eq!(at, Some(160));
     }
 
     #[test]
     fn a_loaded_node_that_cannot_move_has_not_settled() {
-        let mut settling = Settling::with_stiffness(20.0, 1e-4);
+        let mut settling = Settling::with_stiffness(&[20.0], 1e-4);
         assert!((0..1000).all(|_| !settling.observe(&[DVec3::ONE], &[DVec3::X])));
         assert_eq!(settling.distance(), 1.0 / 20.0);
     }

@@ -115,3 +115,17 @@ fn fixed_vertices_stay_where_they_are() {
         assert!((folded.state.fold_angles[0] - 1.0).abs() < 1e-3, "the free apex did the folding");
     }
 }
+
+#[test]
+fn a_crease_folded_past_flat_is_at_rest_where_the_file_has_it() {
+    // Folded by 183 degrees, as 3D files clamp it: measured, it looks like -177.
+    let turn = origami::glam::DQuat::from_rotation_x(183_f64.to_radians());
+    let left = turn * DVec3::new(0.0, 0.8, 0.0) + DVec3::X * 0.5;
+    let points = [left, DVec3::new(0.5, -0.8, 0.0), DVec3::ZERO, DVec3::X];
+    let model = common::hinge(points, 180_f64.to_radians(), &Material::default());
+    assert!((model.creases[0].rest_angle - 183_f64.to_radians()).abs() < 1e-12);
+    // One that is far from flat has no turn to add.
+    let left = origami::glam::DQuat::from_rotation_x(-1.0) * DVec3::new(0.0, 0.8, 0.0) + DVec3::X * 0.5;
+    let model = common::hinge([left, points[1], points[2], points[3]], 3.0, &Material::default());
+    assert!((model.creases[0].rest_angle + 1.0).abs() < 1e-12);
+}

@@ -45,7 +45,9 @@ impl Settings {
         };
         let solver: Box<dyn Solver + Sync> = match solving.solver {
             SolverName::Relax => {
-                Box::new(Relax { tolerance, ramp: solving.ramp, max_steps, steps, ..Relax::default() })
+                let mut relax = Relax { tolerance, ramp: solving.ramp, max_steps, steps, ..Relax::default() };
+                relax.perturbation = solving.perturbation.unwrap_or(relax.perturbation);
+                Box::new(relax)
             }
             SolverName::Dynamics => {
                 let ramp = solving.ramp.unwrap_or(0);
@@ -63,6 +65,15 @@ impl Settings {
             time_step,
             integrator,
         })
+    }
+
+    /// What may help against divergence.
+    pub(crate) fn advice(&self) -> &'static str {
+        match (self.solver_name, self.time_step) {
+            (SolverName::Relax, _) => "stiffnesses nearer to the defaults or a longer --ramp may hold",
+            (SolverName::Dynamics, TimeStep::Safe) => "a smaller --time-step may hold",
+            (SolverName::Dynamics, _) => "--time-step safe or a smaller one may hold",
+        }
     }
 
     /// The length of the first step; relaxations have none that can be told beforehand.
@@ -83,15 +94,14 @@ pub(crate) fn oddities(args: &FoldArgs) -> Vec<String> {
     if args.percent.abs() > 100.0 {
         oddities.push(format!("--percent {}: folds past the pattern's own angles", plain(args.percent)));
     }
-    if solving.solver == SolverName::Relax {
-        let given = [
-            ("--time-step", solving.time_step.is_some()),
-            ("--integrator", solving.integrator.is_some()),
-            ("--zeta", args.material.zeta.is_some()),
-        ];
-        for (name, _) in given.iter().filter(|(_, given)| *given) {
-            oddities.push(format!("{name} has no effect with --solver relax"));
-        }
+    let given = [
+        ("--time-step", SolverName::Dynamics, solving.time_step.is_some()),
+        ("--integrator", SolverName::Dynamics, solving.integrator.is_some()),
+        ("--zeta", SolverName::Dynamics, args.material.zeta.is_some()),
+        ("--perturbation", SolverName::Relax, solving.perturbation.is_some()),
+    ];
+    for (name, ..) in given.iter().filter(|(_, solver, given)| *given && *solver != solving.solver) {
+        oddities.push(format!("{name} has no effect with --solver {}", solving.solver.name()));
     }
     oddities
 }

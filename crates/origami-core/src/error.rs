@@ -41,6 +41,20 @@ impl Error {
     }
 }
 
+/// A number in a message: huge and tiny ones as `1e300`, not with all their digits.
+pub(crate) struct Short(pub(crate) f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(x) = *self;
+        if x == 0.0 || !x.is_finite() || (1e-6..1e15).contains(&x.abs()) {
+            write!(f, "{x}")
+        } else {
+            write!(f, "{x:e}")
+        }
+    }
+}
+
 /// Something odd in the input that was put right, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {

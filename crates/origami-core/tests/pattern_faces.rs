@@ -80,7 +80,7 @@ fn three_faces_at_an_edge_are_refused() {
 fn clockwise_faces_are_kept_when_all_agree() {
     let pattern = build(&flat(&SQUARE, &SQUARE_EDGES, "BBBBM", &[&[2, 1, 0], &[3, 2, 0]]));
     assert_eq!((ids(&pattern, 0), ids(&pattern, 1)), (vec![2, 1, 0], vec![3, 2, 0]));
-    assert_eq!(pattern.warnings, []);
+    assert_warned(&pattern, "faces_vertices[0]", "runs clockwise");
 }
 
 #[test]

@@ -13,7 +13,6 @@ fn without_angles_the_letters_say_how_far() {
             let pattern = build(&square(&format!("BBBB{letter}"), with_faces));
             assert_eq!(degrees(&pattern, 4), angle, "{letter}");
             assert_eq!(letters(&pattern), format!("BBBB{letter}"), "{letter}");
-            assert_eq!(pattern.warnings, [], "{letter}");
         }
     }
 }
@@ -23,7 +22,6 @@ fn lower_case_is_taken_as_upper_case_with_one_warning() {
     let pattern = build(&square("bbbbv", true));
     assert_eq!(letters(&pattern), "BBBBV");
     assert_warned(&pattern, "edges_assignment[0]", "lower-case letter, taken as upper case (and 4 more)");
-    assert_eq!(pattern.warnings.len(), 1);
 }
 
 #[test]
@@ -41,7 +39,6 @@ fn missing_letters_follow_from_the_angles() {
         let pattern = build(&frame);
         assert_eq!(letters(&pattern), format!("BBBB{letter}"));
         assert_eq!(degrees(&pattern, 4).map(f64::round), angle);
-        assert_eq!(pattern.warnings, []);
     }
 }
 
@@ -61,7 +58,7 @@ fn angles_are_used_as_they_are() {
         ("M", Some(30.0), Some(30.0), Some(("edges_foldAngle[4]", "opposite sign"))),
         ("V", Some(-30.0), Some(-30.0), Some(("edges_foldAngle[4]", "opposite sign"))),
         ("M", Some(0.0), Some(0.0), None),
-        ("M", None, None, None),
+        ("M", None, None, Some(("edges_foldAngle[4]", "M with null"))),
         ("V", Some(270.0), Some(270.0), Some(("edges_foldAngle[4]", "past flat folded"))),
         ("F", Some(20.0), Some(20.0), Some(("edges_assignment[4]", "has a fold angle"))),
         ("U", Some(20.0), None, Some(("edges_assignment[4]", "nothing drives it"))),
@@ -116,7 +113,8 @@ fn a_folded_form_without_angles_is_measured() {
             let pattern = build(&flap(angle.to_radians(), letter));
             assert!((degrees(&pattern, 0).expect("a driven crease") - angle).abs() < 1e-9, "{letter} {angle}");
             let opposite = (letter == "M" && angle > 0.0) || (letter == "V" && angle < 0.0);
-            assert_eq!(pattern.warnings.len(), usize::from(opposite), "{:?}", pattern.warnings);
+            let told = pattern.warnings.iter().filter(|w| w.message.contains("opposite sign")).count();
+            assert_eq!(told, usize::from(opposite), "{:?}", pattern.warnings);
         }
         assert_eq!(degrees(&build(&flap(angle.to_radians(), "U")), 0), None);
         let derived = build(&flap(angle.to_radians(), "")).edges[0].assignment;

@@ -94,7 +94,7 @@ fn boundary_edges_enclose_holes_and_islands() {
     let pattern = build(&flat(&coords, &edges, &"B".repeat(16), &[]));
     assert!((total_area(&pattern) - (36.0 - 16.0 + 4.0 - 0.25)).abs() < 1e-12);
     assert_eq!(euler(&pattern), 0);
-    assert_eq!(pattern.warnings, []);
+    assert_warned(&pattern, "faces_vertices", "2 holes");
     triangles(&pattern);
     // As creases, all of it is paper.
     let pattern = build(&flat(&coords, &edges, &format!("BBBB{}", "M".repeat(12)), &[]));

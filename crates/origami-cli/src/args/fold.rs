@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use origami::solve::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, TimeStep};
 
 use super::MaterialArgs;
-use super::values::{finite, positive, time_step};
+use super::values::{finite, positive, share, time_step};
 use crate::files::Format;
 
 const EXAMPLES: &str = "\
@@ -116,6 +116,12 @@ pub(crate) struct SolvingArgs {
     #[arg(long, value_name = "N")]
     pub(crate) ramp: Option<u32>,
 
+    /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.0001]
+    ///
+    /// A symmetric sheet would else stay on the saddle between two ways to buckle. Larger: saddles are left sooner.
+    #[arg(long, value_name = "X", value_parser = share)]
+    pub(crate) perturbation: Option<f64>,
+
     /// Length of a step of dynamics: `paper`, `safe` or a number [default: paper]
     ///
     /// `paper` is the paper's, which blows up on thin triangles, hubs and stiff creases. `safe` is a bound that holds,
@@ -165,4 +171,19 @@ pub(crate) enum IntegratorName {
     Euler,
     /// Velocity Verlet, of second order
     Verlet,
+}
+
+#[cfg(test)]
+mod tests {
+    use origami::solve::Relax;
+
+    use super::*;
+
+    #[test]
+    fn the_text_tells_the_default_of_perturbation() {
+        let definition = SolvingArgs::augment_args(clap::Command::new("test"));
+        let help = definition.get_arguments().find(|a| a.get_id() == "perturbation").and_then(|a| a.get_help());
+        let default = format!("[default: {}]", Relax::default().perturbation);
+        assert!(help.expect("perturbation has a help text").to_string().ends_with(&default));
+    }
 }

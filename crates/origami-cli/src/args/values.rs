@@ -17,6 +17,11 @@ pub(super) fn at_least_zero(text: &str) -> Result<f64, String> {
     number(text, |x| x >= 0.0, "a finite number of at least 0")
 }
 
+/// From 0 to 1.
+pub(super) fn share(text: &str) -> Result<f64, String> {
+    number(text, |x| (0.0..=1.0).contains(&x), "a number from 0 to 1")
+}
+
 /// `paper`, `safe` or a number.
 pub(super) fn time_step(text: &str) -> Result<TimeStep, String> {
     match text {
@@ -56,6 +61,7 @@ mod tests {
             }
             assert!(time_step(text).is_err() && key_value(&format!("a={text}")).is_err(), "{text}");
         }
+        assert!(share("-0.1").is_err() && share("1.1").is_err() && share("nan").is_err());
         assert!(positive("0").is_err() && at_least_zero("-0.1").is_err() && time_step("-1").is_err());
         assert!(key_value("columns").is_err() && key_value("=3").is_err());
     }

@@ -20,6 +20,14 @@ impl Destination {
     pub(crate) fn new(path: &Path) -> Self {
         if path.as_os_str() == "-" { Self::Stdout } else { Self::File(path.to_owned()) }
     }
+
+    /// Whether both are one place, whatever they are called.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::File(a), Self::File(b)) => a == b || resolved(a) == resolved(b),
+            _ => self == other,
+        }
+    }
 }
 
 impl fmt::Display for Destination {
@@ -29,6 +37,16 @@ impl fmt::Display for Destination {
             Self::File(path) => path.display().fmt(f),
         }
     }
+}
+
+/// Without links and detours, as far as it exists.
+fn resolved(path: &Path) -> PathBuf {
+    let folder = || match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder.canonicalize(),
+        _ => Path::new(".").canonicalize(),
+    };
+    let beside = || Some(folder().ok()?.join(path.file_name()?));
+    path.canonicalize().ok().or_else(beside).unwrap_or_else(|| path.to_owned())
 }
 
 /// A file to write, and how.
@@ -75,6 +93,7 @@ pub(crate) fn plan(inputs: &[Input], outputs: &[PathBuf], formats: &[Format]) ->
             }
         }
         refuse_equal_targets(&targets)?;
+        refuse_replaced_input(input, &targets)?;
         Ok(targets)
     };
     inputs.iter().map(targets).collect()
@@ -125,9 +144,19 @@ fn refuse_equal_stems(inputs: &[Input]) -> Result<(), String> {
 
 fn refuse_equal_targets(targets: &[Target]) -> Result<(), String> {
     for (i, target) in targets.iter().enumerate() {
-        if targets[..i].iter().any(|other| other.destination == target.destination) {
+        if targets[..i].iter().any(|other| other.destination.is(&target.destination)) {
             return Err(format!("{} is named twice as an output; expected different ones", target.destination));
         }
     }
     Ok(())
+}
+
+/// One file may be folded into itself where that is said; a whole folder of crease patterns is not lost that way.
+fn refuse_replaced_input(input: &Input, targets: &[Target]) -> Result<(), String> {
+    let Input::File(path) = input else { return Ok(()) };
+    let input = Destination::File(path.clone());
+    match targets.iter().find(|target| target.folder.is_some() && target.destination.is(&input)) {
+        Some(_) => Err(format!("{input}: would be replaced by its folded form; expected another folder")),
+        None => Ok(()),
+    }
 }

@@ -73,6 +73,16 @@ fn one_bad_input_does_not_stop_the_others_and_the_most_severe_counts() {
 }
 
 #[test]
+fn the_report_may_lie_in_the_folder_that_is_made() {
+    let place = place_with(1);
+    place.run("fold s0.fold square.fold -o out/ --report out/r.json --quiet").succeeds();
+    assert_eq!(place.json("out/r.json").as_array().unwrap().len(), 2);
+    place.put("bad.fold", "{");
+    place.run("fold bad.fold -o away/ --report away/r.json").fails(1, "error: bad.fold");
+    assert!(place.json("away/r.json")["error"].is_string());
+}
+
+#[test]
 fn warnings_name_their_input() {
     let place = Place::new();
     place.put("lower.fold", &SQUARE.replace("\"V\"", "\"v\""));

@@ -33,7 +33,7 @@ fn both_solvers_agree() {
     let place = Place::new();
     place.run("fold square.fold -o a.fold --solver dynamics --quiet").succeeds();
     assert!((angle(&place.json("a.fold")) - 90.0).abs() < 0.05);
-    place.run("fold square.fold -o a.fold --solver dynamics --integrator verlet --quiet").succeeds();
+    place.run("fold square.fold -o a.fold --solver dynamics --integrator verlet --time-step safe --quiet").succeeds();
     assert!((angle(&place.json("a.fold")) - 90.0).abs() < 0.05);
 }
 
@@ -133,6 +133,45 @@ fn divergence_is_2_and_older_output_stays() {
         (&json!(false), &Value::Null, &json!([]))
     );
     assert_eq!(report["time_step"], json!(1.0));
+}
+
+#[test]
+fn divergence_comes_with_advice_for_its_solver() {
+    let place = Place::new();
+    for (words, advice) in [
+        ("--solver dynamics --time-step 1e300", "; --time-step safe or a smaller one may hold\n"),
+        ("--solver dynamics --time-step safe --k-fold 1e308", "; a smaller --time-step may hold\n"),
+        ("--k-fold 1e308", "; stiffnesses nearer to the defaults or a longer --ramp may hold\n"),
+    ] {
+        let ran = place.run(&format!("fold square.fold -o a.fold {words}"));
+        ran.fails(2, advice);
+        assert!(ran.stderr.len() < 300, "huge numbers are short: {}", ran.stderr);
+    }
+}
+
+#[test]
+fn stages_before_a_divergence_are_reported() {
+    let place = Place::new();
+    place.put("strip.fold", &crate::place::SQUARE.replace("90]", "179]"));
+    // Holds while the sheet lies flat, for nothing moves there.
+    place
+        .run("fold strip.fold -o a.fold --frames 2 --solver dynamics --time-step 1 --report r.json")
+        .fails(2, "at 50 %");
+    let report = place.json("r.json");
+    let frames = report["frames"].as_array().unwrap();
+    assert_eq!((frames.len(), &frames[0]["converged"]), (1, &json!(true)));
+    assert!(report["steps"].as_u64() > frames[0]["steps"].as_u64());
+    assert!(!place.has("a.fold"));
+}
+
+#[test]
+fn the_perturbation_is_that_asked_for() {
+    let place = Place::new();
+    place.run("fold square.fold -o a.fold --perturbation 0").succeeds();
+    place.run("fold square.fold -o b.fold --perturbation 0.0001").succeeds();
+    place.run("fold square.fold -o c.fold").succeeds();
+    assert_eq!(place.text("b.fold"), place.text("c.fold"), "it is the default");
+    assert_ne!(place.text("a.fold"), place.text("c.fold"));
 }
 
 #[test]

@@ -28,6 +28,10 @@ fn bad_usage_is_1_and_names_what_is_wrong() {
         ("fold square.fold -o a", "a: no extension tells the format; expected .fold, .obj or .stl"),
         ("fold square.fold -o away/a.fold", "away/a.fold: there is no folder away"),
         ("fold square.fold -o a.fold -o a.fold", "a.fold is named twice"),
+        ("fold square.fold -o a.fold -o ./a.fold", "a.fold is named twice"),
+        ("fold square.fold -o ./", "square.fold: would be replaced by its folded form"),
+        ("fold square.fold -o a.fold --report ./a.fold", "expected different ones"),
+        ("fold square.fold -o a.fold --perturbation 2", "a number from 0 to 1"),
         ("fold square.fold -o - -o -", "- is named twice"),
         ("fold square.fold -o - --report -", "expected different ones"),
         ("fold square.fold -o a.fold --report a.fold", "expected different ones"),
@@ -68,4 +72,6 @@ fn options_without_effect_are_told() {
     }
     place.run("fold square.fold -o a.fold --zeta 0.1 --quiet").succeeds();
     place.run("fold square.fold -o a.fold --solver dynamics --zeta 0.1").succeeds();
+    let ran = place.run("fold square.fold -o a.fold --solver dynamics --perturbation 0.1");
+    assert_eq!(ran.stderr, "warning: --perturbation has no effect with --solver dynamics\n");
 }

@@ -88,10 +88,21 @@ fn located(text: &str, error: serde_json::Error) -> Error {
     }
 }
 
+/// Longer paths are shortened to so many parts.
+const SEGMENTS: usize = 8;
+
 /// Such as `file_frames[0].edges_vertices[3]`; as far as it is known where a key itself is what cannot be parsed.
 fn written(path: &Path) -> String {
     let mut text = String::new();
-    for segment in path {
+    // Deep nesting is told by its start and its end.
+    let count = path.iter().count();
+    for (depth, segment) in path.iter().enumerate() {
+        if count > SEGMENTS && depth == SEGMENTS / 2 {
+            text.push_str("[…]");
+        }
+        if depth >= SEGMENTS / 2 && depth + SEGMENTS / 2 < count {
+            continue;
+        }
         match segment {
             Segment::Seq { index } => text.push_str(&format!("[{index}]")),
             Segment::Map { key } => {

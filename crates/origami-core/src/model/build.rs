@@ -3,8 +3,9 @@
 use glam::DVec3;
 
 use super::{Beam, CornerAngles, Crease, DEGENERATE, Inventory, Material, Model, Normalisation};
-use crate::error::Error;
+use crate::error::{Error, Short};
 use crate::forces::creases::hinge;
+use crate::forces::unwrapped;
 use crate::ids::{NodeId, SideId, TriangleId};
 use crate::mesh::{Mesh, Side};
 use crate::pattern::{Assignment, CreasePattern, PatternEdge};
@@ -48,7 +49,11 @@ fn beams(pattern: &CreasePattern, mesh: &Mesh, material: &Material, rest: &[DVec
             let [a, b] = [i, j].map(|n| mesh.vertex_of_node[n.index()].0);
             return Err(Error::invalid(
                 format!("vertices_coords[{a}] and vertices_coords[{b}]"),
-                format!("the edge between them has length {rest_length} of the sheet's radius and rigidity {ea}"),
+                format!(
+                    "the edge between them has length {} of the sheet's radius and rigidity {}",
+                    Short(rest_length),
+                    Short(ea)
+                ),
                 "two different places and a rigidity above 0",
             ));
         }
@@ -130,8 +135,16 @@ fn crease(
     if per_length == 0.0 {
         return Err(NoSpring::ZeroStiffness);
     }
-    let rest_angle = rest_angle.ok_or(NoSpring::Degenerate)?;
+    let rest_angle = with_turn(rest_angle.ok_or(NoSpring::Degenerate)?, goal);
     Ok((Crease { nodes, stiffness: length * per_length, goal, rest_angle, side }, kind))
+}
+
+/// An angle measured within half a turn, with the turn that the goal suggests: a crease folded flat may lie a little past
+/// half a turn, and its faces then look as if it were folded flat the other way.
+fn with_turn(measured: f64, goal: f64) -> f64 {
+    const NEARLY_FLAT: f64 = 160.0;
+    let past = measured * goal < 0.0 && measured.abs() > NEARLY_FLAT.to_radians();
+    if past { unwrapped(measured, goal) } else { measured }
 }
 
 fn corner_angles(mesh: &Mesh, material: &Material, rest: &[DVec3], inventory: &mut Inventory) -> Vec<CornerAngles> {

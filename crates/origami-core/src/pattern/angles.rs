@@ -8,6 +8,7 @@ use super::letters::Letter;
 use super::notes::Notes;
 use super::plane::area_vector;
 use super::sides::{Side, Sides};
+use crate::error::Short;
 
 /// Angles nearer to 0, or to half a turn, than this (radians) are taken as flat, or as folded over.
 const NEARLY: f64 = 1e-6;
@@ -23,7 +24,7 @@ pub(super) struct Keys {
 pub(super) fn settle(draft: &mut Draft, sides: &Sides, keys: Keys) {
     let measured = measure(draft, sides, keys);
     let Draft { edges, notes, .. } = draft;
-    let mut idle = !keys.letters && !keys.angles;
+    let mut idle = true;
     for (index, (edge, pair)) in edges.iter_mut().zip(sides).enumerate().filter(|(_, (edge, _))| edge.alias.is_none()) {
         match pair {
             [None, _] => outside(edge, notes),
@@ -35,11 +36,23 @@ pub(super) fn settle(draft: &mut Draft, sides: &Sides, keys: Keys) {
         }
         edge.letter = edge.letter.or(Some(Letter::Unassigned));
     }
-    if idle {
-        notes.add_with("missing, and so is edges_foldAngle: nothing drives the sheet", || {
-            ("edges_assignment".into(), String::new())
-        });
-    }
+    note_missing(notes, keys, idle, measured.is_some());
+}
+
+/// Warns of missing keys, and says where their values are taken from. `idle`: there is no mountain and no valley.
+fn note_missing(notes: &mut Notes, keys: Keys, idle: bool, measured: bool) {
+    let (letters, angles) = ("edges_assignment", "edges_foldAngle");
+    let (key, message) = match (keys.letters, keys.angles) {
+        (false, false) if measured && !idle => {
+            (letters, "is missing, and so is edges_foldAngle; both are measured from the coordinates")
+        }
+        (false, false) => (letters, "is missing, and so is edges_foldAngle: nothing drives the sheet"),
+        (false, true) => (letters, "is missing; the letters follow from the fold angles"),
+        (true, false) if measured => (angles, "is missing; the angles are measured from the coordinates"),
+        (true, false) if !idle => (angles, "is missing; M and V fold by -180 and 180 degrees"),
+        _ => return,
+    };
+    notes.add_once(key, message.into());
 }
 
 /// An edge of no face.
@@ -57,8 +70,20 @@ fn contour(edge: &mut DraftEdge, notes: &mut Notes) {
     let was = edge.letter.filter(|letter| !matches!(letter, Letter::Boundary | Letter::Cut));
     if let (Some(letter), Origin::File(_)) = (was, edge.origin) {
         notes.add_with("on the contour, taken as B", || (edge.origin.place("edges_assignment"), letter.name().into()));
+    } else {
+        note_useless_angle(edge, notes);
     }
     edge.letter = Some(Letter::Boundary);
+}
+
+/// A boundary or cut with an angle.
+fn note_useless_angle(edge: &DraftEdge, notes: &mut Notes) {
+    if let GivenAngle::Degrees(degrees) = edge.given
+        && degrees != 0.0
+    {
+        let place = || edge.origin.place("edges_foldAngle");
+        notes.add_with("degrees on a boundary or cut; ignored", || (place(), Short(degrees).to_string()));
+    }
 }
 
 /// An edge between two faces.
@@ -69,10 +94,16 @@ fn hinge(edge: &mut DraftEdge, measured: Option<f64>, notes: &mut Notes) {
         edge.letter = Some(Letter::Unassigned);
     }
     if edge.letter == Some(Letter::Cut) {
-        return;
+        return note_useless_angle(edge, notes);
     }
     let angle = match (edge.given, edge.letter) {
-        (GivenAngle::Free, _) => None,
+        (GivenAngle::Free, letter) => {
+            if let Some(letter) = letter.filter(|letter| letter.drives()) {
+                let place = || edge.origin.place("edges_foldAngle");
+                notes.add_with("with null: a free crease, which nothing drives", || (place(), letter.name().into()));
+            }
+            None
+        }
         (GivenAngle::Degrees(degrees), Some(Letter::Unassigned)) => {
             if degrees != 0.0 {
                 notes.add_with("has a fold angle; unassigned, so nothing drives it", || (place(), "U".into()));
@@ -82,7 +113,7 @@ fn hinge(edge: &mut DraftEdge, measured: Option<f64>, notes: &mut Notes) {
         (GivenAngle::Degrees(degrees), _) => {
             if degrees.abs() > 180.0 + NEARLY {
                 let place = edge.origin.place("edges_foldAngle");
-                notes.add_with("degrees is past flat folded; kept", || (place, degrees.to_string()));
+                notes.add_with("degrees is past flat folded; kept", || (place, Short(degrees).to_string()));
             }
             Some(degrees.to_radians())
         }
@@ -105,7 +136,7 @@ fn hinge(edge: &mut DraftEdge, measured: Option<f64>, notes: &mut Notes) {
 fn opposite(edge: &DraftEdge, angle: f64, notes: &mut Notes) {
     let letter = edge.letter.map_or("", Letter::name);
     notes.add_with("degrees: letter and fold angle are of opposite sign; the angle is kept", || {
-        (edge.origin.place("edges_foldAngle"), format!("{letter} with {}", angle.to_degrees()))
+        (edge.origin.place("edges_foldAngle"), format!("{letter} with {}", Short(angle.to_degrees())))
     });
 }
 
@@ -149,9 +180,7 @@ fn measure(draft: &mut Draft, sides: &Sides, keys: Keys) -> Option<Vec<Option<f6
         return Some(angles);
     }
     if keys.letters && !keys.angles {
-        draft.notes.add_with("the sheet lies flat in a tilted plane; M and V fold by -180 and 180 degrees", || {
-            ("vertices_coords".into(), String::new())
-        });
+        draft.notes.add_once("vertices_coords", "the sheet lies flat in a tilted plane: nothing to measure".into());
     }
     None
 }

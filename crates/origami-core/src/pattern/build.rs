@@ -20,7 +20,7 @@ const RANGE: i32 = 100;
 /// Builds the pattern.
 pub(super) fn build(frame: &Frame) -> Result<CreasePattern, Error> {
     let mut notes = Notes::default();
-    let vertices = vertices(frame)?;
+    let vertices = vertices(frame, &mut notes)?;
     let edges = edges(frame, vertices.len(), &mut notes)?;
     let in_file = [vertices.len(), edges.len()];
     let scale = plane::unit_scale(size(&vertices)?);
@@ -41,12 +41,18 @@ pub(super) fn build(frame: &Frame) -> Result<CreasePattern, Error> {
     Ok(finish(draft, vertices, in_file, scale))
 }
 
-fn vertices(frame: &Frame) -> Result<Vec<DVec3>, Error> {
+fn vertices(frame: &Frame, notes: &mut Notes) -> Result<Vec<DVec3>, Error> {
     let coords = frame.vertices_coords.as_deref().unwrap_or_default();
     if coords.is_empty() {
         return Err(Error::invalid("vertices_coords", "is missing or empty", "the positions of the vertices"));
     }
     countable("vertices_coords", coords.len())?;
+    let dimension = coords[0].dimension;
+    for (index, other) in coords.iter().enumerate().filter(|(_, other)| other.dimension != dimension) {
+        notes.add_with("numbers, the first vertex has another count; a z that is not given is 0", || {
+            (format!("vertices_coords[{index}]"), format!("has {}", other.dimension))
+        });
+    }
     let position = |(index, coords): (usize, &crate::fold::Coordinates)| {
         let finite = coords.position.is_finite().then_some(coords.position);
         finite.ok_or_else(|| Error::invalid(format!("vertices_coords[{index}]"), "is not finite", "numbers"))
@@ -132,17 +138,24 @@ fn faces(draft: &mut Draft, frame: &Frame) -> Result<Sides, Error> {
             return Err(Error::invalid("faces_vertices", problem, "the faces of a sheet in space"));
         }
         let mut map = planar::arrange(draft)?;
-        return paper::build_faces(draft, &mut map);
+        let was = if frame.faces_vertices.is_some() { "is empty" } else { "is missing" };
+        return paper::build_faces(draft, &mut map, was);
     }
     countable("faces_vertices", faces.iter().map(Vec::len).sum())?;
     // A line between two faces that a list of edges leaves out is no crease.
     let unlisted = (!draft.edges.is_empty()).then_some(Letter::Join);
     let mut map: EdgeMap = faces_given::take(draft, faces)?;
+    let listed = draft.edges.len();
     let sides = sides::collect(draft, &mut map, unlisted)?;
-    if orient::orient(draft, &sides)? {
-        return sides::collect(draft, &mut map, unlisted);
+    if unlisted.is_some() {
+        let kind = "has a side that edges_vertices does not list; between two faces it is taken as flat";
+        for edge in &draft.edges[listed..] {
+            draft.notes.add_with(kind, || (edge.origin.place("edges_vertices"), String::new()));
+        }
     }
-    Ok(sides)
+    let turned = orient::orient(draft, &sides)?;
+    orient::note_clockwise(draft);
+    if turned { sides::collect(draft, &mut map, unlisted) } else { Ok(sides) }
 }
 
 fn note_isolated(draft: &mut Draft) {

@@ -1,19 +1,23 @@
 //! The faces as the file gives them.
 
 use super::draft::{Draft, EdgeMap};
-use super::plane::area_vector;
+use super::plane::{area_vector, extent, radius};
 use crate::error::Error;
 
 /// Edges shorter than this, in sizes of the pattern, have no length.
 const SHORTEST: f64 = 1e-12;
 /// Faces smaller than this, in squared sizes, have no area.
 const SMALLEST: f64 = 1e-14;
+/// Faces thinner than this, in radii of the sheet, get no springs: the limit of the model.
+const THIN: f64 = 1e-6;
 
 /// Takes over `faces`, and lets one edge stand for all that have the same ends.
 pub(super) fn take(draft: &mut Draft, faces: &[Vec<u32>]) -> Result<EdgeMap, Error> {
     let map = merge_edges(draft)?;
+    let thin = THIN * radius(&draft.points);
     for (index, face) in faces.iter().enumerate() {
         check_corners(draft, face, index)?;
+        check_area(draft, face, index, thin)?;
     }
     draft.faces = faces.to_vec();
     Ok(map)
@@ -37,19 +41,15 @@ fn merge_edges(draft: &mut Draft) -> Result<EdgeMap, Error> {
     Ok(map)
 }
 
-fn check_corners(draft: &mut Draft, face: &[u32], index: usize) -> Result<(), Error> {
-    let refuse = |problem: String, expected: &str| {
-        Err(Error::invalid(format!("faces_vertices[{index}]"), problem, expected)) //
-    };
+fn check_corners(draft: &Draft, face: &[u32], index: usize) -> Result<(), Error> {
+    let refuse = |problem, expected: &str| Err(Error::invalid(place(index), problem, expected));
     let vertices = draft.points.len();
     if let Some(&vertex) = face.iter().find(|&&vertex| vertex as usize >= vertices) {
         return refuse(format!("vertex {vertex} does not exist"), &format!("numbers below {vertices}"));
     }
-    let mut distinct = face.to_vec();
-    distinct.sort_unstable();
-    distinct.dedup();
-    if distinct.len() < 3 {
-        return refuse(format!("has {} different vertices", distinct.len()), "three or more");
+    let distinct = distinct(face);
+    if distinct < 3 {
+        return refuse(format!("has {distinct} different vertices"), "three or more");
     }
     let points = &draft.points;
     for (&a, &b) in face.iter().zip(face.iter().cycle().skip(1)) {
@@ -60,12 +60,45 @@ fn check_corners(draft: &mut Draft, face: &[u32], index: usize) -> Result<(), Er
             return refuse(format!("vertices {a} and {b} lie at one place"), "sides with a length");
         }
     }
-    let area = 0.5 * area_vector(face.iter().map(|&v| points[v as usize])).length();
+    Ok(())
+}
+
+fn check_area(draft: &mut Draft, face: &[u32], index: usize, thin: f64) -> Result<(), Error> {
+    let corners: Vec<_> = face.iter().map(|&v| draft.points[v as usize]).collect();
+    let area = 0.5 * area_vector(corners.iter().copied()).length();
     if area < SMALLEST {
-        if distinct.len() < face.len() {
-            return refuse("encloses no area".into(), "a polygon");
+        if distinct(face) < face.len() {
+            return Err(Error::invalid(place(index), "encloses no area", "a polygon"));
         }
         draft.notes.add("faces_vertices", index, "face without area; its folds have no direction");
+        return Ok(());
+    }
+    let height = match corners.as_slice() {
+        &[a, b, c] => 2.0 * area / a.distance(b).max(b.distance(c)).max(c.distance(a)),
+        more => area / extent(more).length(),
+    };
+    if height < thin {
+        draft.notes.add("faces_vertices", index, "thinner than 1e-6 of the sheet's radius; its springs are left out");
     }
     Ok(())
+}
+
+fn place(index: usize) -> String {
+    format!("faces_vertices[{index}]")
+}
+
+/// How many different vertices a face has.
+fn distinct(face: &[u32]) -> usize {
+    let mut distinct = face.to_vec();
+    distinct.sort_unstable();
+    distinct.dedup();
+    distinct.len()
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn what_is_too_thin_for_the_model_is_warned_of() {
+        assert_eq!(super::THIN, crate::model::DEGENERATE);
+    }
 }

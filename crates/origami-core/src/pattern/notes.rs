@@ -15,6 +15,11 @@ struct Note {
 }
 
 impl Notes {
+    /// Notes what holds of the whole array under `key`.
+    pub(super) fn add_once(&mut self, key: &str, message: String) {
+        self.0.push(Note { kind: "", place: key.into(), detail: message, more: 0 });
+    }
+
     /// Notes that `kind` was met at `key[index]`.
     pub(super) fn add(&mut self, key: &str, index: usize, kind: &'static str) {
         self.add_with(kind, || (format!("{key}[{index}]"), String::new()));
@@ -33,7 +38,7 @@ impl Notes {
     /// The warnings, in the order in which their kinds were first met.
     pub(super) fn into_warnings(self) -> Vec<Warning> {
         let text = |note: Note| {
-            let gap = if note.detail.is_empty() { "" } else { " " };
+            let gap = if note.detail.is_empty() || note.kind.is_empty() { "" } else { " " };
             let more = if note.more > 0 { format!(" (and {} more)", note.more) } else { String::new() };
             Warning::new(note.place, format!("{}{gap}{}{more}", note.detail, note.kind))
         };

@@ -48,6 +48,20 @@ pub(super) fn orient(draft: &mut Draft, sides: &Sides) -> Result<bool, Error> {
     Ok(any)
 }
 
+/// Warns of faces of a flat pattern that are seen from their back: as a rule all, or half of a form folded flat.
+pub(super) fn note_clockwise(draft: &mut Draft) {
+    if !draft.flat {
+        return;
+    }
+    let Draft { faces, points, notes, .. } = draft;
+    for (index, face) in faces.iter().enumerate() {
+        if area_vector(face.iter().map(|&v| points[v as usize])).z < 0.0 {
+            let kind = "runs clockwise: its letters and angles are taken as seen from the other side";
+            notes.add("faces_vertices", index, kind);
+        }
+    }
+}
+
 /// Marks every face that hangs together with `seed` as agreeing with it or as turned; gives their list.
 fn walk(
     draft: &Draft,

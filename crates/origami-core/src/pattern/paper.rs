@@ -8,8 +8,8 @@ use super::sides::{self, Sides};
 use super::table::Table;
 use crate::error::Error;
 
-/// Builds the faces of a flat draft whose edges meet at their ends only.
-pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap) -> Result<Sides, Error> {
+/// Builds the faces of a flat draft whose edges meet at their ends only. `was` says what became of the file's own.
+pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap, was: &str) -> Result<Sides, Error> {
     let regions = regions(draft);
     let paper = paper(draft, &regions);
     for (walks, _) in regions.loops.iter().zip(&paper).filter(|(_, paper)| **paper) {
@@ -18,6 +18,10 @@ pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap) -> Result<Sides,
     if draft.faces.is_empty() {
         return Err(no_paper());
     }
+    // The region outside is none.
+    let holes = paper.iter().skip(1).filter(|paper| !**paper).count();
+    let (faces, holes) = (counted(draft.faces.len(), "face"), counted(holes, "hole"));
+    draft.notes.add_once("faces_vertices", format!("{was}; built from the lines: {faces}, {holes}"));
     let sides = sides::collect(draft, map, Some(Letter::Join))?;
     for (edge, _) in sides.iter().enumerate().filter(|(_, pair)| pair[1].is_some()) {
         if draft.edges[edge].letter == Some(Letter::Boundary) {
@@ -27,6 +31,12 @@ pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap) -> Result<Sides,
         }
     }
     Ok(sides)
+}
+
+/// Such as `1 face`, `2 faces`.
+fn counted(count: usize, one: &str) -> String {
+    let end = if count == 1 { "" } else { "s" };
+    format!("{count} {one}{end}")
 }
 
 /// The refusal of lines that make no face.

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::boxes::{Bounds, BoxTree};
 use super::draft::{Draft, DraftEdge, EdgeMap};
+use super::notes::Notes;
 use super::paper::no_paper;
 use super::places::Places;
 use super::plane::{extent, orient};
@@ -36,6 +37,7 @@ struct Split {
 /// appended. Edges that fall on another, or vanish, become aliases.
 pub(super) fn arrange(draft: &mut Draft) -> Result<EdgeMap, Error> {
     let mut graph = Graph::new(draft);
+    let in_file = draft.points.len();
     let mut pieces = Vec::with_capacity(draft.edges.len());
     for (index, edge) in draft.edges.iter().enumerate() {
         let ends = edge.ends.map(|v| draft.vertex_alias[v as usize].unwrap_or(v));
@@ -48,6 +50,7 @@ pub(super) fn arrange(draft: &mut Draft) -> Result<EdgeMap, Error> {
     }
     for _ in 0..ROUNDS {
         let splits = graph.meetings(&pieces)?;
+        note_touching(&mut draft.notes, in_file, &pieces, &splits);
         if splits.is_empty() {
             graph.append_crossings(draft);
             return Ok(rebuild_edges(draft, &pieces));
@@ -67,6 +70,8 @@ struct Graph {
     touch: f64,
     points: Vec<DVec2>,
     places: Places,
+    /// The two edges at whose crossing each further point lies.
+    crossings: Vec<[u32; 2]>,
 }
 
 impl Graph {
@@ -84,14 +89,14 @@ impl Graph {
                 places.insert(index as u32, point);
             }
         }
-        Self { touch, points, places }
+        Self { touch, points, places, crossings: Vec::new() }
     }
 
     fn ends(&self, piece: &Piece) -> [DVec2; 2] {
         piece.ends.map(|v| self.points[v as usize])
     }
 
-    /// Where fresh pieces meet any others.
+    /// Where fresh pieces meet any others, in order along each piece.
     fn meetings(&mut self, pieces: &[Piece]) -> Result<Vec<Split>, Error> {
         let bounds: Vec<_> = pieces.iter().map(|piece| Bounds::of(self.ends(piece)[0], self.ends(piece)[1])).collect();
         let tree = BoxTree::new(&bounds);
@@ -115,6 +120,9 @@ impl Graph {
                 return Err(crowded());
             }
         }
+        splits.sort_by_key(|split| (split.piece, split.vertex));
+        splits.dedup_by_key(|split| (split.piece, split.vertex));
+        splits.sort_by(|a, b| a.piece.cmp(&b.piece).then(a.at.total_cmp(&b.at)));
         Ok(splits)
     }
 
@@ -140,7 +148,7 @@ impl Graph {
             return;
         }
         let (t, u) = (at_a / (at_a - at_b), at_c / (at_c - at_d));
-        let vertex = self.vertex_at(a + t * (b - a));
+        let vertex = self.vertex_at(a + t * (b - a), [pieces[i].edge, pieces[j].edge]);
         for (piece, at) in [(i, t), (j, u)] {
             if !pieces[piece].ends.contains(&vertex) {
                 splits.push(Split { piece: piece as u32, at, vertex });
@@ -158,28 +166,39 @@ impl Graph {
         inside.then_some(at)
     }
 
-    fn vertex_at(&mut self, point: DVec2) -> u32 {
+    fn vertex_at(&mut self, point: DVec2, crossing: [u32; 2]) -> u32 {
         self.places.find(point).unwrap_or_else(|| {
             let id = self.points.len() as u32;
             self.places.insert(id, point);
             self.points.push(point);
+            self.crossings.push(crossing);
             id
         })
     }
 
     fn append_crossings(&self, draft: &mut Draft) {
         let z = draft.points.first().map_or(0.0, |point| point.z);
-        for point in &self.points[draft.points.len()..] {
+        let in_file = self.points.len() - self.crossings.len();
+        for (point, [one, two]) in self.points[in_file..].iter().zip(&self.crossings) {
+            draft.notes.add_with("both get a vertex there", || {
+                (format!("edges_vertices[{}]", one.min(two)), format!("crosses edges_vertices[{}];", one.max(two)))
+            });
             draft.push_vertex(DVec3::new(point.x, point.y, z), false);
         }
     }
 }
 
+/// Warns of vertices of the file that lie on a line of it.
+fn note_touching(notes: &mut Notes, in_file: usize, pieces: &[Piece], splits: &[Split]) {
+    for split in splits.iter().filter(|split| (split.vertex as usize) < in_file) {
+        notes.add_with("lies on it; the line is split there", || {
+            (format!("edges_vertices[{}]", pieces[split.piece as usize].edge), format!("vertex {}", split.vertex))
+        });
+    }
+}
+
 /// The pieces that remain when each is cut at its splits, in order along its edge.
-fn cut_at(pieces: &[Piece], mut splits: Vec<Split>) -> Vec<Piece> {
-    splits.sort_by_key(|split| (split.piece, split.vertex));
-    splits.dedup_by_key(|split| (split.piece, split.vertex));
-    splits.sort_by(|a, b| a.piece.cmp(&b.piece).then(a.at.total_cmp(&b.at)));
+fn cut_at(pieces: &[Piece], splits: Vec<Split>) -> Vec<Piece> {
     let mut splits = splits.into_iter().peekable();
     let mut result = Vec::with_capacity(pieces.len() + splits.len());
     for (index, piece) in pieces.iter().enumerate() {

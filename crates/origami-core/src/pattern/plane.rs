@@ -9,6 +9,13 @@ pub(crate) fn extent(points: &[DVec3]) -> DVec3 {
     high - low
 }
 
+/// Distance of the farthest point from the centre of that box.
+pub(crate) fn radius(points: &[DVec3]) -> f64 {
+    let low = points.iter().fold(DVec3::INFINITY, |low, &p| low.min(p));
+    let centre = low + 0.5 * extent(points);
+    points.iter().map(|p| p.distance(centre)).fold(0.0, f64::max)
+}
+
 /// Whether all points lie at one height z, to a billionth of their extent.
 pub(crate) fn is_flat(points: &[DVec3]) -> bool {
     let extent = extent(points);

@@ -5,6 +5,7 @@ use std::fmt;
 use glam::DVec3;
 
 use super::State;
+use crate::error::Short;
 use crate::ids::VertexId;
 use crate::model::Model;
 
@@ -39,9 +40,8 @@ impl fmt::Display for Quantity {
 /// The state stopped being finite or grew beyond any sense.
 #[derive(Clone, Debug, thiserror::Error)]
 #[error(
-    "diverged at step {step}: vertex {} has a {quantity} of {value} radii (expected at most {}); \
-     a smaller time step may hold",
-    vertex.0, quantity.limit()
+    "diverged at step {step}: vertex {} has a {quantity} of {} radii (expected at most {})",
+    vertex.0, Short(*value), quantity.limit()
 )]
 pub struct Diverged {
     /// The first vertex, by number, that is out of bounds.

@@ -17,7 +17,7 @@ pub mod time_step;
 
 pub use dynamics::{Dynamics, Integrator};
 pub use guard::{Diverged, Quantity};
-pub use path::{fold_path, frame_percents};
+pub use path::{PathDiverged, fold_path, frame_percents};
 pub use relax::{Relax, default_ramp};
 pub use state::State;
 pub use time_step::TimeStep;

@@ -1,6 +1,7 @@
 //! States along the way: folding depends on its path, and an animation shows it.
 
 use super::{Diverged, Folded, Progress, Solver, State};
+use crate::error::Short;
 use crate::model::Model;
 
 /// Percentages of `frames` + 1 states from 0 to `percent`, both included, evenly spaced.
@@ -9,20 +10,85 @@ pub fn frame_percents(percent: f64, frames: u32) -> Vec<f64> {
     (0..=frames).map(|i| percent * f64::from(i) / f64::from(frames.max(1))).collect()
 }
 
-/// Folds to each percentage in turn, every one from the state before it, the first from the sheet at rest.
+/// One stage of a path did not hold.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("at {} %: {diverged}", Short(*percent))]
+pub struct PathDiverged {
+    /// The states before it, all of which held.
+    pub states: Vec<Folded>,
+    /// The percentage that it was on its way to.
+    pub percent: f64,
+    /// What happened, with the last good state of that stage.
+    #[source]
+    pub diverged: Diverged,
+}
+
+/// Folds to each percentage in turn, every one from the state before it, the first from the sheet at rest. `observe` is
+/// told the place of the stage in `percents` and how far its solver has come.
 ///
 /// # Errors
-/// [`Diverged`] from the first that does not hold; the states before it are lost, its last good one is in the error.
+/// [`PathDiverged`] from the first that does not hold, with the states before it.
 pub fn fold_path(
     model: &Model,
     solver: &dyn Solver,
     percents: &[f64],
     observe: &mut dyn FnMut(usize, Progress),
-) -> Result<Vec<Folded>, Diverged> {
+) -> Result<Vec<Folded>, PathDiverged> {
     let mut states: Vec<Folded> = Vec::with_capacity(percents.len());
-    for (i, percent) in percents.iter().enumerate() {
-        let start = states.last().map_or_else(|| State::at_rest(model), |f| f.state.clone());
-        states.push(solver.fold(model, &start, *percent, &mut |progress| observe(i, progress))?);
+    for (stage, &percent) in percents.iter().enumerate() {
+        let start = states.last().map_or_else(|| State::at_rest(model), |folded| folded.state.clone());
+        match solver.fold(model, &start, percent, &mut |progress| observe(stage, progress)) {
+            Ok(folded) => states.push(folded),
+            Err(diverged) => return Err(PathDiverged { states, percent, diverged }),
+        }
     }
     Ok(states)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::catalog;
+    use crate::model::{LeftOut, Material};
+    use crate::solve::{Dynamics, TimeStep};
+
+    /// Steps that hold up to a percentage, and far too long ones beyond it.
+    struct Breaks {
+        beyond: f64,
+    }
+
+    impl Solver for Breaks {
+        fn fold(
+            &self,
+            model: &Model,
+            start: &State,
+            percent: f64,
+            observe: &mut dyn FnMut(Progress),
+        ) -> Result<Folded, Diverged> {
+            let time_step = if percent > self.beyond { TimeStep::Fixed(10.0) } else { TimeStep::Safe };
+            let solver = Dynamics { time_step, steps: Some(200), ..Dynamics::default() };
+            solver.fold(model, start, percent, observe)
+        }
+
+        fn left_out(&self, _: &Model) -> Vec<LeftOut> {
+            Vec::new()
+        }
+    }
+
+    #[test]
+    fn states_before_a_divergence_are_handed_back() {
+        let pattern = catalog::generate("single-crease", &[]).expect("a pattern");
+        let model = Model::new(&pattern, &Material::default()).expect("a model");
+        let mut stages = Vec::new();
+        let percents = frame_percents(90.0, 3);
+        let failed = fold_path(&model, &Breaks { beyond: 45.0 }, &percents, &mut |stage, _| stages.push(stage));
+        let failed = failed.expect_err("a step of 10 does not hold");
+        let reached: Vec<f64> = failed.states.iter().map(|folded| folded.percent).collect();
+        assert_eq!((reached, failed.percent), (vec![0.0, 30.0], 60.0));
+        assert!(failed.to_string().starts_with("at 60 %: diverged at step "), "{failed}");
+        let last = &failed.states[1].state;
+        assert_eq!(failed.diverged.last_good.positions, last.positions, "the third stage began where the second ended");
+        stages.dedup();
+        assert!(stages.is_sorted() && stages.last() <= Some(&2));
+    }
 }

@@ -4,8 +4,6 @@ mod one;
 mod queue;
 mod summary;
 
-use std::path::Path;
-
 use rayon::prelude::*;
 
 use crate::args::FoldArgs;
@@ -83,9 +81,15 @@ fn write_report(destination: &Destination, reports: &[Report]) -> Result<(), Fai
     let text = report::to_json(reports).map_err(|error| format!("{destination}: {error}"))?;
     match destination {
         Destination::Stdout => console::print(&text)?,
-        Destination::File(path) => origami::export::write_whole(path, |writer| {
-            writer.write_all(&text).map_err(|source| origami::Error::Io { path: "-".to_owned(), source })
-        })?,
+        Destination::File(path) => {
+            // Where nothing could be written, the folder for the outputs is not there yet.
+            if let Some(folder) = path.parent() {
+                std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+            }
+            origami::export::write_whole(path, |writer| {
+                writer.write_all(&text).map_err(|source| origami::Error::Io { path: "-".to_owned(), source })
+            })?;
+        }
     }
     Ok(())
 }
@@ -96,20 +100,21 @@ fn check_streams(inputs: &[Input], targets: &[Vec<Target>], report: Option<&Dest
         return Err("standard input (-) is named twice; expected it once".to_owned());
     }
     let Some(report) = report else { return Ok(()) };
-    if targets.iter().flatten().any(|target| target.destination == *report) {
+    if targets.iter().flatten().any(|target| target.destination.is(report)) {
         return Err(format!("{report} is named for the report and for an output; expected different ones"));
     }
     if let Destination::File(path) = report {
-        if inputs.iter().any(|input| matches!(input, Input::File(file) if same_file(file, path))) {
+        let replaced = |input: &Input| matches!(input, Input::File(file) if report.is(&Destination::new(file)));
+        if inputs.iter().any(replaced) {
             return Err(format!("{report}: the report would overwrite an input; expected another file"));
         }
-        files::refuse_missing_folder(path)?;
+        // A folder for the outputs is made when the first one is written.
+        let made = |target: &Target| target.folder.as_deref().is_some_and(|folder| path.parent() == Some(folder));
+        if !targets.iter().flatten().any(made) {
+            files::refuse_missing_folder(path)?;
+        }
     }
     Ok(())
-}
-
-fn same_file(a: &Path, b: &Path) -> bool {
-    a == b || a.canonicalize().ok().zip(b.canonicalize().ok()).is_some_and(|(a, b)| a == b)
 }
 
 fn warn_of_single_stages(args: &FoldArgs, targets: &[Vec<Target>]) {

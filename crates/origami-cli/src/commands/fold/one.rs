@@ -3,13 +3,12 @@
 use std::time::Instant;
 
 use origami::model::Model;
-use origami::solve::{Diverged, Folded, Progress, Solver, State, Stop};
+use origami::solve::{Progress, Stop, fold_path};
 use origami::{CreasePattern, Error};
 
 use super::summary::{self, Told};
 use crate::exit::Exit;
 use crate::files::{self, Input, Sheet, Target};
-use crate::numbers::plain;
 use crate::report::{Divergence, Ending, Measured, Report, Run, Scene, Seconds};
 use crate::settings::Settings;
 
@@ -62,7 +61,7 @@ fn attempt(
     seconds.build = watch.lap();
 
     let scene = Scene::new(&pattern, &model, &settings.solver.left_out(&model), &pattern.warnings);
-    let solved = solve(&model, settings, observe);
+    let solved = fold_path(&model, settings.solver.as_ref(), &settings.percents, observe);
     seconds.solve = watch.lap();
     let mut run = Run {
         input: input.to_string(),
@@ -82,13 +81,15 @@ fn attempt(
             run.measured = Measured {
                 percent: failed.percent,
                 time_step: settings.first_time_step(&model),
-                steps: failed.steps,
+                steps: failed.states.iter().map(|folded| folded.steps).sum::<u64>() + failed.diverged.step,
                 stop: Ending::Diverged,
                 attempts: 1,
                 ..Measured::default()
             };
             run.diverged = Some(Divergence::from(&failed.diverged));
-            told.errors.push(format!("{input}: at {} %: {}", plain(failed.percent), failed.diverged));
+            let held = failed.states.iter().map(|folded| Measured::new(&model, folded));
+            run.frames = settings.animated.then(|| held.collect());
+            told.errors.push(format!("{input}: {failed}; {}", settings.advice()));
             return Ok((Exit::Diverged, run));
         }
     };
@@ -130,32 +131,6 @@ fn overall(frames: &[Measured]) -> Measured {
         attempts: frames.iter().map(|frame| frame.attempts).max().unwrap_or(0),
         ..last
     }
-}
-
-/// A divergence on the way.
-struct Failed {
-    /// The percentage it was on its way to.
-    percent: f64,
-    /// Steps up to there, all stages together.
-    steps: u64,
-    diverged: Diverged,
-}
-
-/// As [`origami::solve::fold_path`], and tells at which stage it failed.
-fn solve(model: &Model, settings: &Settings, observe: &mut dyn FnMut(usize, Progress)) -> Result<Vec<Folded>, Failed> {
-    let solver: &dyn Solver = settings.solver.as_ref();
-    let mut states: Vec<Folded> = Vec::new();
-    for (stage, percent) in settings.percents.iter().enumerate() {
-        let start = states.last().map_or_else(|| State::at_rest(model), |folded| folded.state.clone());
-        match solver.fold(model, &start, *percent, &mut |progress| observe(stage, progress)) {
-            Ok(folded) => states.push(folded),
-            Err(diverged) => {
-                let steps = states.iter().map(|folded| folded.steps).sum::<u64>() + diverged.step;
-                return Err(Failed { percent: *percent, steps, diverged });
-            }
-        }
-    }
-    Ok(states)
 }
 
 struct Stopwatch(Instant);

@@ -14,10 +14,10 @@ const MAY_USE: [(&str, &[&str]); 11] = [
     ("pattern", &["error", "fold", "ids"]),
     ("generate", &["error", "ids", "pattern"]),
     ("mesh", &["error", "ids", "pattern"]),
-    // `forces` for one thing: the angle of a hinge at rest.
+    // `forces` only for the angle of a hinge at rest.
     ("model", &["error", "forces", "ids", "mesh", "pattern"]),
     ("forces", &["ids", "model"]),
-    ("solve", &["forces", "ids", "model"]),
+    ("solve", &["error", "forces", "ids", "model"]),
     ("measure", &["forces", "mesh", "model", "pattern", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "solve"]),
 ];

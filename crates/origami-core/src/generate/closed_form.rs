@@ -4,17 +4,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+pub use crate::pattern::fold_angle;
 use glam::{DMat3, DVec3};
-
-/// Fold angle of the crease from `p3` to `p4` between the faces (p3, p4, p1) and (p4, p3, p2), both counterclockwise:
-/// 0 flat, valley positive (paper section 2.3).
-#[must_use]
-pub fn fold_angle(p1: DVec3, p2: DVec3, p3: DVec3, p4: DVec3) -> f64 {
-    let e = p4 - p3;
-    let n1 = e.cross(p1 - p3);
-    let n2 = (p2 - p3).cross(e);
-    (e.length() * n2.dot(p1 - p3)).atan2(n1.dot(n2))
-}
 
 /// How far a vertex is from closing: the Frobenius norm of `prod Rx(rho_i) Rz(alpha_i) - I` over (fold angle `rho_i`,
 /// sector `alpha_i`), counterclockwise, crease i before sector i (belcastro and Hull, 2002). 0 where it closes.

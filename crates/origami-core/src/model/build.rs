@@ -4,11 +4,9 @@ use glam::DVec3;
 
 use super::{Beam, CornerAngles, Crease, DEGENERATE, Inventory, Material, Model, Normalisation};
 use crate::error::{Error, Short};
-use crate::forces::creases::hinge;
-use crate::forces::unwrapped;
 use crate::ids::{NodeId, SideId, TriangleId};
 use crate::mesh::{Mesh, Side};
-use crate::pattern::{Assignment, CreasePattern, PatternEdge};
+use crate::pattern::{Assignment, CreasePattern, PatternEdge, fold_angle};
 
 pub(super) fn build(pattern: &CreasePattern, mesh: Mesh, material: &Material) -> Result<Model, Error> {
     material.check()?;
@@ -116,7 +114,9 @@ fn crease(
 ) -> Result<(Crease, Kind), NoSpring> {
     let points = nodes.map(|n| rest[n.index()]);
     let length = points[3].distance(points[2]);
-    let rest_angle = hinge(points).map(|h| h.angle());
+    let heights = [points[0], points[1]].map(|p| (points[3] - points[2]).cross(p - points[2]).length() / length);
+    let thick = length >= DEGENERATE && heights.iter().all(|h| *h >= DEGENERATE);
+    let rest_angle = thick.then(|| fold_angle(points[0], points[1], points[2], points[3]));
     let (kind, goal) = match edge {
         // A diagonal keeps the angle that the sheet has there: 0 on a flat pattern.
         None => (Kind::Facet, rest_angle.unwrap_or(0.0)),
@@ -144,7 +144,7 @@ fn crease(
 fn with_turn(measured: f64, goal: f64) -> f64 {
     const NEARLY_FLAT: f64 = 160.0;
     let past = measured * goal < 0.0 && measured.abs() > NEARLY_FLAT.to_radians();
-    if past { unwrapped(measured, goal) } else { measured }
+    if past { measured + std::f64::consts::TAU.copysign(goal) } else { measured }
 }
 
 fn corner_angles(mesh: &Mesh, material: &Material, rest: &[DVec3], inventory: &mut Inventory) -> Vec<CornerAngles> {

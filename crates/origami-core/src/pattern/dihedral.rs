@@ -11,8 +11,8 @@ pub(crate) fn angle_between(edge: DVec3, n1: DVec3, n2: DVec3) -> f64 {
 }
 
 /// The fold angle of crease `p3 p4` between the triangles `p3 p4 p1` and `p4 p3 p2`, in radians, valley positive.
-#[cfg_attr(not(test), expect(dead_code, reason = "the plain form that the one for polygons is tested with"))]
-pub(crate) fn fold_angle(p1: DVec3, p2: DVec3, p3: DVec3, p4: DVec3) -> f64 {
+#[must_use]
+pub fn fold_angle(p1: DVec3, p2: DVec3, p3: DVec3, p4: DVec3) -> f64 {
     let edge = p4 - p3;
     angle_between(edge, edge.cross(p1 - p3), (p2 - p3).cross(edge))
 }

@@ -9,7 +9,7 @@ mod boxes;
 mod build;
 mod check;
 mod cuts;
-pub(crate) mod dihedral;
+mod dihedral;
 mod draft;
 mod faces_given;
 mod letters;
@@ -25,6 +25,8 @@ mod read;
 pub(crate) mod region;
 mod sides;
 mod table;
+
+pub use dihedral::fold_angle;
 
 use glam::DVec3;
 

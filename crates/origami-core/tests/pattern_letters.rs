@@ -199,3 +199,25 @@ fn a_line_given_twice_is_one() {
     assert_warned(&pattern, "edges_vertices[5]", "more than once");
     assert_eq!(degrees(&pattern, 4), Some(180.0));
 }
+
+#[test]
+fn an_angle_cut_off_at_half_a_turn_is_taken_whole_from_our_own_key() {
+    let with_own = |written: f64, own: serde_json::Value| {
+        let mut frame = square("BBBBV", true);
+        frame.edges_fold_angle = Some(vec![None, None, None, None, Some(written)]);
+        frame.extra.insert("edges_origami:foldAngle".into(), json!([null, null, null, null, own]));
+        frame
+    };
+    for (written, own, taken) in [
+        (180.0, json!(183.5), 183.5),
+        (-180.0, json!(-190), -190.0),
+        // An angle that FOLD can say was written after ours.
+        (170.0, json!(183.5), 170.0),
+        (180.0, json!(-183.5), 180.0),
+        (180.0, json!(null), 180.0),
+    ] {
+        let reached = degrees(&build(&with_own(written, own)), 4).expect("an angle");
+        assert!((reached - taken).abs() < 1e-12, "{reached} is not {taken}");
+    }
+    assert!(refused(&with_own(180.0, json!("far"))).contains("edges_origami:foldAngle[4]"));
+}

@@ -4,12 +4,13 @@ use glam::DVec3;
 use serde_json::{Value, json};
 
 use super::CREATOR;
-use super::sheet::{UNCLAMPED, coordinates, number, set_angles, set_topology};
+use super::sheet::{coordinates, number, set_angles, set_topology};
 use crate::error::Error;
 use crate::fold::{Coordinates, Document, Frame};
 use crate::measure::edge_fold_angles;
 use crate::model::Model;
 use crate::pattern::CreasePattern;
+use crate::pattern::keys::FOLD_ANGLE;
 use crate::solve::Folded;
 
 /// Where folding got to.
@@ -50,7 +51,7 @@ pub fn folded_form(source: &Document, frame: usize, pattern: &CreasePattern, sta
     check(pattern, stage)?;
     let mut key_frame = source.frame(frame)?;
     set_topology(&mut key_frame, pattern);
-    key_frame.extra.shift_remove(UNCLAMPED);
+    key_frame.extra.shift_remove(FOLD_ANGLE);
     let attributes = folded_attributes(&key_frame);
     key_frame.extra.insert("frame_attributes".into(), attributes);
     set_stage(&mut key_frame, pattern, stage);
@@ -79,9 +80,9 @@ pub fn animation(
         let mut folded = Frame { parent: Some(0), inherit: true, ..Frame::default() };
         folded.extra.insert("frame_title".into(), format!("{} %", stage.percent).into());
         folded.extra.insert("frame_attributes".into(), attributes.clone());
-        if key_frame.extra.contains_key(UNCLAMPED) {
+        if key_frame.extra.contains_key(FOLD_ANGLE) {
             // Without its own this frame would inherit those of the crease pattern.
-            folded.extra.insert(UNCLAMPED.into(), Value::Null);
+            folded.extra.insert(FOLD_ANGLE.into(), Value::Null);
         }
         set_stage(&mut folded, pattern, stage);
         Ok(folded)
@@ -125,7 +126,7 @@ fn document(source: &Document, frame: Frame) -> Document {
 /// The crease pattern before it is folded.
 fn set_rest(frame: &mut Frame, pattern: &CreasePattern) {
     frame.classes = Some(vec!["creasePattern".into()]);
-    frame.extra.shift_remove(UNCLAMPED);
+    frame.extra.shift_remove(FOLD_ANGLE);
     let flat = pattern.vertices.iter().all(|position| position.z == 0.0);
     let write = if flat { Coordinates::planar } else { Coordinates::spatial };
     frame.vertices_coords = Some(coordinates(pattern, &pattern.vertices, write));

@@ -4,13 +4,8 @@ use serde_json::{Map, Value};
 
 use crate::fold::{Coordinates, Frame};
 use crate::ids::{EdgeId, VertexId};
+use crate::pattern::keys::{EA, FIXED, FOLD_ANGLE, K_CREASE};
 use crate::pattern::{Assignment, CreasePattern};
-
-/// Fold angles in degrees as they are, where FOLD's range [-180, 180] cannot hold them.
-pub(super) const UNCLAMPED: &str = "edges_origami:foldAngle";
-const K_CREASE: &str = "edges_origami:k_crease";
-const EA: &str = "edges_origami:ea";
-const FIXED: &str = "vertices_origami:fixed";
 
 /// Keys that follow from `edges_vertices`.
 const FROM_EDGES: [&str; 5] = ["vertices_vertices", "vertices_edges", "edges_length", "edges_lengths", "edgeOrders"];
@@ -58,7 +53,7 @@ pub(super) fn coordinates(
 }
 
 /// Fold angles given in radians, in degrees. Boundaries have 0, as the specification wants it; others without an angle
-/// have `null`. Angles beyond 180 degrees are cut off there and also kept as they are under [`UNCLAMPED`].
+/// have `null`. Angles beyond 180 degrees are cut off there and also kept as they are under [`FOLD_ANGLE`].
 pub(super) fn set_angles(frame: &mut Frame, pattern: &CreasePattern, angle: impl Fn(usize) -> Option<f64>) {
     let degrees: Vec<_> = (0..pattern.edges.len())
         .map(|edge| {
@@ -69,8 +64,8 @@ pub(super) fn set_angles(frame: &mut Frame, pattern: &CreasePattern, angle: impl
             }
         })
         .collect();
-    if frame.extra.contains_key(UNCLAMPED) || degrees.iter().flatten().any(|angle| angle.abs() > 180.0) {
-        frame.extra.insert(UNCLAMPED.into(), degrees.iter().map(|&angle| optional(angle)).collect());
+    if frame.extra.contains_key(FOLD_ANGLE) || degrees.iter().flatten().any(|angle| angle.abs() > 180.0) {
+        frame.extra.insert(FOLD_ANGLE.into(), degrees.iter().map(|&angle| optional(angle)).collect());
     }
     frame.edges_fold_angle = Some(degrees.into_iter().map(|angle| angle.map(|a| a.clamp(-180.0, 180.0))).collect());
 }

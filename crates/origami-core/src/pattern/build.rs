@@ -7,7 +7,9 @@ use super::draft::{Draft, DraftEdge, EdgeMap, GivenAngle, Origin};
 use super::letters::{self, Letter};
 use super::notes::Notes;
 use super::sides::Sides;
-use super::{CreasePattern, PatternEdge, angles, cuts, faces_given, orient, overrides, paper, planar, plane, sides};
+use super::{
+    CreasePattern, PatternEdge, angles, cuts, faces_given, keys, orient, overrides, paper, planar, plane, sides,
+};
 use crate::error::Error;
 use crate::fold::Frame;
 use crate::ids::{EdgeId, VertexId};
@@ -89,8 +91,8 @@ fn edges(frame: &Frame, vertices: usize, notes: &mut Notes) -> Result<Vec<DraftE
     countable("edges_vertices", count)?;
     let letters = letters::read(frame, count, notes)?;
     let angles = given_angles(frame, count)?;
-    let k_crease = overrides::edge_numbers(frame, overrides::K_CREASE, count)?;
-    let ea = overrides::edge_numbers(frame, overrides::EA, count)?;
+    let k_crease = overrides::edge_numbers(frame, keys::K_CREASE, count, 0.0)?;
+    let ea = overrides::edge_numbers(frame, keys::EA, count, 0.0)?;
     let mut edges = Vec::with_capacity(count);
     for (index, &ends) in ends.iter().enumerate() {
         let refuse = |problem, expected| Err(Error::invalid(format!("edges_vertices[{index}]"), problem, expected));
@@ -117,10 +119,15 @@ fn edges(frame: &Frame, vertices: usize, notes: &mut Notes) -> Result<Vec<DraftE
 fn given_angles(frame: &Frame, edges: usize) -> Result<Vec<GivenAngle>, Error> {
     let Some(angles) = &frame.edges_fold_angle else { return Ok(vec![GivenAngle::Absent; edges]) };
     letters::same_length("edges_foldAngle", angles.len(), edges)?;
-    let given = |(index, angle): (usize, &Option<f64>)| match *angle {
-        None => Ok(GivenAngle::Free),
-        Some(degrees) if degrees.is_finite() => Ok(GivenAngle::Degrees(degrees)),
-        Some(_) => Err(Error::invalid(format!("edges_foldAngle[{index}]"), "is not finite", "degrees, or null")),
+    let unclamped = overrides::edge_numbers(frame, keys::FOLD_ANGLE, edges, f64::NEG_INFINITY)?;
+    let given = |(index, angle): (usize, &Option<f64>)| match (*angle, unclamped[index]) {
+        (None, _) => Ok(GivenAngle::Free),
+        // FOLD's range ends there: our own key knows how far it really goes.
+        (Some(clamped), Some(degrees)) if clamped.abs() == 180.0 && degrees * clamped > 180.0 * 180.0 => {
+            Ok(GivenAngle::Degrees(degrees))
+        }
+        (Some(degrees), _) if degrees.is_finite() => Ok(GivenAngle::Degrees(degrees)),
+        (Some(_), _) => Err(Error::invalid(format!("edges_foldAngle[{index}]"), "is not finite", "degrees, or null")),
     };
     angles.iter().enumerate().map(given).collect()
 }

@@ -12,6 +12,7 @@ mod cuts;
 mod dihedral;
 mod draft;
 mod faces_given;
+pub mod keys;
 mod letters;
 mod loops;
 mod notes;

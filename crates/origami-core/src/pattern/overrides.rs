@@ -2,27 +2,22 @@
 
 use serde_json::Value;
 
+use super::keys::FIXED;
 use super::letters::same_length;
 use crate::error::Error;
 use crate::fold::Frame;
 
-/// Stiffness of a crease per unit of length, in place of the material's.
-pub(super) const K_CREASE: &str = "edges_origami:k_crease";
-/// Axial rigidity of an edge, in place of the material's.
-pub(super) const EA: &str = "edges_origami:ea";
-/// Vertices that do not move.
-pub(super) const FIXED: &str = "vertices_origami:fixed";
-
-/// One number, or none, for each edge.
-pub(super) fn edge_numbers(frame: &Frame, key: &str, edges: usize) -> Result<Vec<Option<f64>>, Error> {
+/// One number of at least `least`, or none, for each edge.
+pub(super) fn edge_numbers(frame: &Frame, key: &str, edges: usize, least: f64) -> Result<Vec<Option<f64>>, Error> {
     let Some(value) = frame.extra.get(key) else { return Ok(vec![None; edges]) };
     let entries = array(key, value)?;
     same_length(key, entries.len(), edges)?;
     let number = |(index, entry): (usize, &Value)| match entry {
         Value::Null => Ok(None),
-        _ => match entry.as_f64().filter(|number| number.is_finite() && *number >= 0.0) {
+        _ => match entry.as_f64().filter(|number| number.is_finite() && *number >= least) {
             Some(number) => Ok(Some(number)),
-            None => Err(wrong(key, index, entry, "a number that is not negative, or null")),
+            None if least == 0.0 => Err(wrong(key, index, entry, "a number that is not negative, or null")),
+            None => Err(wrong(key, index, entry, "a number, or null")),
         },
     };
     entries.iter().enumerate().map(number).collect()

@@ -1,7 +1,7 @@
 //! What a model holds.
 
 use origami::Warning;
-use origami::model::Model;
+use origami::model::{Inventory, Model};
 use origami::pattern::CreasePattern;
 use serde::Serialize;
 
@@ -61,14 +61,9 @@ impl From<&origami::model::LeftOut> for LeftOut {
 }
 
 impl Scene {
-    /// That of a model, with what else is left out.
-    pub(crate) fn new(
-        pattern: &CreasePattern,
-        model: &Model,
-        left_out: &[origami::model::LeftOut],
-        warnings: &[Warning],
-    ) -> Self {
-        let built = model.inventory.built.iter().map(|b| Built { what: b.what, count: b.count });
+    /// That of a model, whose `inventory` may have what a solver adds.
+    pub(crate) fn new(pattern: &CreasePattern, model: &Model, inventory: &Inventory, warnings: &[Warning]) -> Self {
+        let built = inventory.built.iter().map(|b| Built { what: b.what, count: b.count });
         Self {
             vertices: model.node_count(),
             beams: model.beams.len(),
@@ -76,7 +71,7 @@ impl Scene {
             faces: pattern.faces.len(),
             triangles: model.mesh.triangles.len(),
             built: built.collect(),
-            left_out: model.inventory.left_out.iter().chain(left_out).map(LeftOut::from).collect(),
+            left_out: inventory.left_out.iter().map(LeftOut::from).collect(),
             warnings: warnings.iter().map(Note::from).collect(),
         }
     }

@@ -25,7 +25,7 @@ pub(super) fn build(pattern: &CreasePattern, mesh: Mesh, material: &Material) ->
     fixed.dedup();
     inventory.built("fixed vertices", fixed.len());
     if fixed.is_empty() {
-        inventory.left_out.push(super::LeftOut { what: "fixed vertices", count: 0, why: "the pattern has none" });
+        inventory.without("fixed vertices", "the pattern has none");
     }
     let isolated = pattern.vertices.len() - mesh.node_count() - pattern.alias_of.iter().flatten().count();
     inventory.left_out("vertices", isolated, "no edge or face uses them");

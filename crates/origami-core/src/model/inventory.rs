@@ -30,15 +30,20 @@ pub struct Inventory {
 }
 
 impl Inventory {
-    pub(super) fn built(&mut self, what: &'static str, count: usize) {
+    pub(crate) fn built(&mut self, what: &'static str, count: usize) {
         if count > 0 {
             self.built.push(Built { what, count });
         }
     }
 
-    pub(super) fn left_out(&mut self, what: &'static str, count: usize, why: &'static str) {
+    pub(crate) fn left_out(&mut self, what: &'static str, count: usize, why: &'static str) {
         if count > 0 {
             self.left_out.push(LeftOut { what, count, why });
         }
+    }
+
+    /// Something that has no number of elements while it is not there.
+    pub(crate) fn without(&mut self, what: &'static str, why: &'static str) {
+        self.left_out.push(LeftOut { what, count: 0, why });
     }
 }

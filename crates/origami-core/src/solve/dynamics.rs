@@ -8,7 +8,7 @@ use super::relax::largest;
 use super::settle::Settling;
 use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, Solver, State, Stop, TimeStep, time_step};
 use crate::forces::{Forces, damping};
-use crate::model::{LeftOut, Model};
+use crate::model::{Inventory, Model};
 
 /// Steps between two renewals of [`TimeStep::Safe`].
 const RENEWAL: u64 = 20;
@@ -113,9 +113,14 @@ impl Solver for Dynamics {
         Ok(Folded { state, percent, stop, steps, time_step, residual, distance, attempts: 1 })
     }
 
-    fn left_out(&self, model: &Model) -> Vec<LeftOut> {
-        let undamped = model.material.zeta == 0.0;
-        undamped.then_some(LeftOut { what: "damping", count: 0, why: "zeta is 0" }).into_iter().collect()
+    fn inventory(&self, model: &Model) -> Inventory {
+        let mut inventory = model.inventory.clone();
+        if model.material.zeta > 0.0 {
+            inventory.built("damping", model.beams.len());
+        } else {
+            inventory.without("damping", "zeta is 0");
+        }
+        inventory
     }
 }
 

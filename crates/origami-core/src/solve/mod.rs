@@ -22,7 +22,7 @@ pub use relax::{Relax, default_ramp};
 pub use state::State;
 pub use time_step::TimeStep;
 
-use crate::model::{LeftOut, Model};
+use crate::model::{Inventory, Model};
 
 /// A fold angle past this many degrees means that layers have gone through each other and the state is tangled.
 pub const TANGLED_DEGREES: f64 = 200.0;
@@ -48,8 +48,10 @@ pub trait Solver {
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Diverged>;
 
-    /// What this solver does without, beyond what the model has left out.
-    fn left_out(&self, model: &Model) -> Vec<LeftOut>;
+    /// What the model holds and leaves out, and what of its own this solver adds or does without.
+    fn inventory(&self, model: &Model) -> Inventory {
+        model.inventory.clone()
+    }
 }
 
 /// How far a solver has come.

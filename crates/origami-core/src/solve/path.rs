@@ -49,7 +49,7 @@ pub fn fold_path(
 mod tests {
     use super::*;
     use crate::generate::catalog;
-    use crate::model::{LeftOut, Material};
+    use crate::model::Material;
     use crate::solve::{Dynamics, TimeStep};
 
     /// Steps that hold up to a percentage, and far too long ones beyond it.
@@ -68,10 +68,6 @@ mod tests {
             let time_step = if percent > self.beyond { TimeStep::Fixed(10.0) } else { TimeStep::Safe };
             let solver = Dynamics { time_step, steps: Some(200), ..Dynamics::default() };
             solver.fold(model, start, percent, observe)
-        }
-
-        fn left_out(&self, _: &Model) -> Vec<LeftOut> {
-            Vec::new()
         }
     }
 

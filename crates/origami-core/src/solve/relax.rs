@@ -7,7 +7,7 @@ use super::ramp::Ramp;
 use super::settle::Settling;
 use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, Solver, State, Stop};
 use crate::forces::Forces;
-use crate::model::{LeftOut, Model};
+use crate::model::{Inventory, Model};
 
 /// The ramp stops while a crease turns by more than this in one evaluation, in radians.
 const HOLD: f64 = 0.1;
@@ -109,9 +109,10 @@ impl Solver for Relax {
         Ok(kept)
     }
 
-    fn left_out(&self, _: &Model) -> Vec<LeftOut> {
-        let why = "a relaxation seeks the equilibrium, which does not depend on it";
-        vec![LeftOut { what: "damping", count: 0, why }]
+    fn inventory(&self, model: &Model) -> Inventory {
+        let mut inventory = model.inventory.clone();
+        inventory.without("damping", "a relaxation seeks the equilibrium, which does not depend on it");
+        inventory
     }
 }
 

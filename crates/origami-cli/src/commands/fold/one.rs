@@ -60,7 +60,7 @@ fn attempt(
     let model = Model::new(&pattern, &settings.material)?;
     seconds.build = watch.lap();
 
-    let scene = Scene::new(&pattern, &model, &settings.solver.left_out(&model), &pattern.warnings);
+    let scene = Scene::new(&pattern, &model, &settings.solver.inventory(&model), &pattern.warnings);
     let solved = fold_path(&model, settings.solver.as_ref(), &settings.percents, observe);
     seconds.solve = watch.lap();
     let mut run = Run {

@@ -95,7 +95,7 @@ impl Facts {
             paper: time_step::paper(&model),
             safe: time_step::safe(&model, &model.rest, Integrator::Euler),
         };
-        self.model = Some(ModelFacts { scene: Scene::new(&pattern, &model, &[], &[]), time_step: steps });
+        self.model = Some(ModelFacts { scene: Scene::new(&pattern, &model, &model.inventory, &[]), time_step: steps });
         Ok(())
     }
 }

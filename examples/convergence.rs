@@ -5,7 +5,6 @@
 
 use std::error::Error;
 
-use origami::fold::Document;
 use origami::measure::align;
 use origami::{CreasePattern, Dynamics, Folded, Material, Model, Relax, Solver, State};
 
@@ -15,9 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     println!("|---|---|---|---|---|---|---|---|---|");
     for path in std::env::args().skip(1) {
-        let document = Document::read(&path)?;
-        let pattern = CreasePattern::from_frame(&document.frame(document.pattern_frame()?)?)?;
-        let model = Model::new(&pattern, &Material::default())?;
+        let model = Model::new(&CreasePattern::read(&path)?, &Material::default())?;
         let name = std::path::Path::new(&path).file_stem().map(|s| s.to_string_lossy().into_owned());
         for percent in [60.0, 100.0] {
             println!("| {} {}", name.as_deref().unwrap_or(&path), row(&model, percent)?);

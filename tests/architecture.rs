@@ -14,8 +14,7 @@ const MAY_USE: [(&str, &[&str]); 11] = [
     ("pattern", &["error", "fold", "ids"]),
     ("generate", &["error", "ids", "pattern"]),
     ("mesh", &["error", "ids", "pattern"]),
-    // `forces` only for the angle of a hinge at rest.
-    ("model", &["error", "forces", "ids", "mesh", "pattern"]),
+    ("model", &["error", "ids", "mesh", "pattern"]),
     ("forces", &["ids", "model"]),
     ("solve", &["error", "forces", "ids", "model"]),
     ("measure", &["forces", "mesh", "model", "pattern", "solve"]),

@@ -117,7 +117,7 @@ pub(crate) struct SolvingArgs {
     #[arg(long, value_name = "N")]
     pub(crate) ramp: Option<u32>,
 
-    /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.0001]
+    /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.003]
     ///
     /// A symmetric sheet would else stay on the saddle between two ways to buckle. Larger: saddles are left sooner.
     #[arg(long, value_name = "X", value_parser = share)]

@@ -168,7 +168,7 @@ fn stages_before_a_divergence_are_reported() {
 fn the_perturbation_is_that_asked_for() {
     let place = Place::new();
     place.run("fold square.fold -o a.fold --perturbation 0").succeeds();
-    place.run("fold square.fold -o b.fold --perturbation 0.0001").succeeds();
+    place.run("fold square.fold -o b.fold --perturbation 0.003").succeeds();
     place.run("fold square.fold -o c.fold").succeeds();
     assert_eq!(place.text("b.fold"), place.text("c.fold"), "it is the default");
     assert_ne!(place.text("a.fold"), place.text("c.fold"));

@@ -20,7 +20,7 @@ pub struct Mesh {
     pub vertex_of_node: Vec<VertexId>,
     /// The node of each pattern vertex; `None` for an isolated vertex, which is no part of the sheet.
     pub node_of_vertex: Vec<Option<NodeId>>,
-    /// Sides of triangles and edges outside any face: first those of the pattern, in its order, then the diagonals.
+    /// Sides of triangles and edges outside any face, in the order of their nodes.
     pub sides: Vec<Side>,
     /// The side of each pattern edge (that of its alias where it has one); `None` where that side does not exist.
     pub side_of_edge: Vec<Option<SideId>>,
@@ -140,9 +140,10 @@ mod tests {
         assert_eq!(mesh.node_count(), 4, "vertices 3 and 4 are isolated");
         assert_eq!(mesh.node_of_vertex[3], None);
         assert_eq!(mesh.sides.len(), 5);
+        // In the order of their nodes: 0-1, 0-2, 0-3, 1-2, 2-3.
         assert_eq!(mesh.side_of_edge, vec![Some(SideId(0)), Some(SideId(1)), Some(SideId(0))]);
 
-        let diagonal = &mesh.sides[1];
+        let diagonal = &mesh.sides[mesh.side_of_edge[1].expect("a side").index()];
         // The first triangle has its corners in the order 2, 0, 1: so the side runs from 2 to 0.
         assert_eq!(diagonal.nodes, [NodeId(2), NodeId(0)]);
         assert_eq!(diagonal.triangles, [Some(TriangleId(0)), Some(TriangleId(1))]);

@@ -23,7 +23,8 @@ enum Mention {
     Triangle { triangle: u32, corner: u8 },
 }
 
-/// All sides, and the side of each of `edges`: those first, in their order; diagonals follow in the triangles' order.
+/// All sides, in the order of their nodes, so that neighbours in space are neighbours in memory where the numbering of the
+/// nodes is; and the side of each of `edges`.
 pub(super) fn build(
     triangles: &[[NodeId; 3]],
     edges: &[(EdgeId, [NodeId; 2])],
@@ -40,26 +41,25 @@ pub(super) fn build(
     }
     mentions.sort_unstable();
 
-    let mut sides: Vec<(Mention, Side)> =
-        mentions.chunk_by(|a, b| a.0 == b.0).map(|group| side(group, triangles, edges)).collect::<Result<_, _>>()?;
-    // `Mention::Edge` sorts before `Mention::Triangle`: the pattern's edges come first.
-    sides.sort_unstable_by_key(|(first, _)| *first);
-
     let mut side_of_edge = vec![SideId(0); edges.len()];
-    for (i, (first, _)) in sides.iter().enumerate() {
-        if let Mention::Edge(e) = first {
-            side_of_edge[*e as usize] = SideId::new(i);
+    let groups = mentions.chunk_by(|a, b| a.0 == b.0).enumerate();
+    let sides = groups.map(|(i, group)| {
+        // `Mention::Edge` sorts before `Mention::Triangle`.
+        if let Mention::Edge(e) = group[0].1 {
+            side_of_edge[e as usize] = SideId::new(i);
         }
-    }
-    Ok((sides.into_iter().map(|(_, side)| side).collect(), side_of_edge))
+        side(group, triangles, edges)
+    });
+    let sides = sides.collect::<Result<_, _>>()?;
+    Ok((sides, side_of_edge))
 }
 
 fn side(
     group: &[([NodeId; 2], Mention)],
     triangles: &[[NodeId; 3]],
     edges: &[(EdgeId, [NodeId; 2])],
-) -> Result<(Mention, Side), Error> {
-    let (ends, first) = group[0];
+) -> Result<Side, Error> {
+    let ends = group[0].0;
     let mut side = Side { nodes: ends, triangles: [None; 2], apexes: [None; 2], edge: None };
     for (_, mention) in group {
         match *mention {
@@ -94,7 +94,7 @@ fn side(
             }
         }
     }
-    Ok((first, side))
+    Ok(side)
 }
 
 /// The side opposite to a corner, in the triangle's direction.

@@ -38,7 +38,7 @@ pub struct Relax {
     pub retry: bool,
     /// How far each node is moved at the start, as a share of its shortest beam, so that a symmetric sheet does not stay
     /// on the saddle between two ways to buckle; nothing moves where nothing is to be folded. Larger: saddles are left
-    /// sooner; 0: none. Default 1e-4.
+    /// sooner; 0: none. Default 3e-3.
     pub perturbation: f64,
 }
 
@@ -50,7 +50,7 @@ impl Default for Relax {
             max_steps: DEFAULT_MAX_STEPS,
             steps: None,
             retry: true,
-            perturbation: 1e-4,
+            perturbation: 3e-3,
         }
     }
 }

@@ -2,14 +2,16 @@
 //! material. All start 200 steps after the jump from flat, in which creases turn so fast that angles cost more.
 //!
 //! Measured: [`Dynamics`] (springs, damping, Euler) and [`Relax`] (springs, the sums and moves of FIRE, its masses every 50
-//! steps). Not measured: reading, building the model. Criterion's `elem/s` are nodes times steps per second; 1 / that is
-//! the time per node and step.
+//! steps). Criterion's `elem/s` are nodes times steps per second; 1 / that is the time per node and step. The group `build`
+//! measures what comes before the first step, per node. Reading and writing files is not measured.
 
 use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use origami::{Dynamics, Material, Model, Relax, Solver, State, generate};
+use origami::export::crease_pattern_document;
+use origami::fold::Frame;
+use origami::{CreasePattern, Dynamics, Material, Model, Relax, Solver, State, generate};
 
 fn cpu_step(c: &mut Criterion) {
     let mut group = c.benchmark_group("cpu_step");
@@ -36,16 +38,25 @@ fn cpu_step(c: &mut Criterion) {
     group.finish();
 }
 
-/// What a sheet costs before its first step: triangulation, mesh and model.
+/// What a sheet costs before its first step: the pattern from a file's frame, with faces and with faces to be found among
+/// the lines; then triangulation, topology and springs.
 fn build(c: &mut Criterion) {
     let mut group = c.benchmark_group("build");
     group.sample_size(10).measurement_time(Duration::from_secs(4));
     for panels in [31, 315] {
         let pattern = generate::miura(panels, panels).expect("valid");
-        group.throughput(Throughput::Elements(pattern.vertices.len() as u64));
-        group.bench_function(BenchmarkId::new("model", pattern.vertices.len()), |b| {
+        let vertices = pattern.vertices.len() as u64;
+        group.throughput(Throughput::Elements(vertices));
+        group.bench_function(BenchmarkId::new("model", vertices), |b| {
             b.iter(|| black_box(Model::new(&pattern, &Material::default()).expect("a generated pattern")));
         });
+        let with_faces = crease_pattern_document(&pattern, "miura").key_frame;
+        let lines = Frame { faces_vertices: None, ..with_faces.clone() };
+        for (name, frame) in [("pattern", with_faces), ("pattern_of_lines", lines)] {
+            group.bench_function(BenchmarkId::new(name, vertices), |b| {
+                b.iter(|| black_box(CreasePattern::from_frame(&frame).expect("a generated pattern")));
+            });
+        }
     }
     group.finish();
 }

@@ -4,11 +4,9 @@ mod pattern_support;
 
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::time::Instant;
 
 use glam::DVec3;
 use origami_core::fold::{Coordinates, Frame};
-use origami_core::mesh::triangulate::triangulate;
 use pattern_support::{build, flat, triangles};
 use serde_json::Value;
 
@@ -121,22 +119,4 @@ fn a_large_sheet_has_the_same_faces_when_built() {
     };
     assert_eq!(ids(&given), ids(&built));
     assert_eq!(given.edges, built.edges);
-}
-
-#[test]
-#[ignore = "prints times; run with --release -- --ignored --nocapture"]
-fn times_for_a_hundred_thousand_vertices() {
-    let mut frame = sheet(299, 329);
-    let start = Instant::now();
-    let pattern = origami_core::CreasePattern::from_frame(&frame).expect("a sheet");
-    let mut out = format!("{} vertices, with faces: {:?}", pattern.vertices.len(), start.elapsed());
-    let start = Instant::now();
-    let count = triangulate(&pattern).expect("triangles").triangles.len();
-    out += &format!("; {count} triangles: {:?}", start.elapsed());
-    frame.faces_vertices = None;
-    let start = Instant::now();
-    let pattern = origami_core::CreasePattern::from_frame(&frame).expect("a sheet");
-    out += &format!("; {} faces built: {:?}", pattern.faces.len(), start.elapsed());
-    std::io::Write::write_all(&mut std::io::stderr(), (out + "\n").as_bytes()).expect("a terminal");
-    assert_eq!(pattern.faces.len(), 299 * 329);
 }

@@ -17,18 +17,8 @@ const FROM_FACES: [&str; 5] = ["vertices_faces", "edges_faces", "faces_edges", "
 pub(super) fn set_topology(frame: &mut Frame, pattern: &CreasePattern) {
     let edges = pattern.edges.iter().map(|edge| edge.vertices.map(|vertex| vertex.0)).collect();
     let faces = pattern.faces.iter().map(|face| face.iter().map(|vertex| vertex.0).collect()).collect();
-    let letters = pattern.edges.iter().enumerate().map(|(edge, _)| {
-        match pattern.edges[stand_in_edge(pattern, edge)].assignment {
-            Assignment::Boundary => "B",
-            Assignment::Mountain => "M",
-            Assignment::Valley => "V",
-            Assignment::Flat => "F",
-            Assignment::Unassigned => "U",
-            Assignment::Join => "J",
-        }
-        .to_owned()
-    });
-    let letters = letters.collect();
+    let letters = (0..pattern.edges.len()).map(|edge| pattern.edges[stand_in_edge(pattern, edge)].assignment.letter());
+    let letters = letters.map(str::to_owned).collect();
 
     let same_vertices = frame.vertices_coords.as_ref().map(Vec::len) == Some(pattern.vertices.len());
     let same_edges = same_vertices && frame.edges_vertices.as_ref() == Some(&edges);

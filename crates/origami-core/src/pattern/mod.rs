@@ -52,6 +52,21 @@ pub enum Assignment {
     Join,
 }
 
+impl Assignment {
+    /// Its letter in a FOLD file.
+    #[must_use]
+    pub const fn letter(self) -> &'static str {
+        match self {
+            Self::Boundary => "B",
+            Self::Mountain => "M",
+            Self::Valley => "V",
+            Self::Flat => "F",
+            Self::Unassigned => "U",
+            Self::Join => "J",
+        }
+    }
+}
+
 /// One edge of a [`CreasePattern`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct PatternEdge {

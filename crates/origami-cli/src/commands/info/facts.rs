@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use origami::fold::{Document, Frame};
 use origami::model::{Material, Model};
-use origami::pattern::{Assignment, CreasePattern};
+use origami::pattern::CreasePattern;
 use origami::solve::{Integrator, time_step};
 use origami::{Error, Warning};
 use serde::Serialize;
@@ -126,7 +126,7 @@ impl Pattern {
     fn of(pattern: &CreasePattern) -> Self {
         let mut letters = BTreeMap::new();
         for edge in pattern.edges.iter().filter(|edge| edge.alias_of.is_none()) {
-            *letters.entry(letter(edge.assignment)).or_default() += 1;
+            *letters.entry(edge.assignment.letter()).or_default() += 1;
         }
         Self {
             vertices: pattern.alias_of.iter().filter(|alias| alias.is_none()).count(),
@@ -137,16 +137,5 @@ impl Pattern {
             size: pattern.size(),
             fixed: pattern.fixed.len(),
         }
-    }
-}
-
-fn letter(assignment: Assignment) -> &'static str {
-    match assignment {
-        Assignment::Boundary => "B",
-        Assignment::Mountain => "M",
-        Assignment::Valley => "V",
-        Assignment::Flat => "F",
-        Assignment::Unassigned => "U",
-        Assignment::Join => "J",
     }
 }

@@ -50,10 +50,4 @@ impl<'m> Forces<'m> {
         }
         &mut self.values
     }
-
-    /// The forces of the last evaluation.
-    #[must_use]
-    pub fn values(&self) -> &[DVec3] {
-        &self.values
-    }
 }

@@ -33,13 +33,8 @@ impl Letter {
 
     pub(super) const fn name(self) -> &'static str {
         match self {
-            Self::Boundary => "B",
-            Self::Mountain => "M",
-            Self::Valley => "V",
-            Self::Flat => "F",
-            Self::Unassigned => "U",
             Self::Cut => "C",
-            Self::Join => "J",
+            other => other.assignment().letter(),
         }
     }
 

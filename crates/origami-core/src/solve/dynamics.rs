@@ -4,16 +4,15 @@ use glam::DVec3;
 
 use super::guard::{Diverged, Guard};
 use super::ramp::Ramp;
-use super::relax::largest;
 use super::settle::Settling;
-use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, Solver, State, Stop, TimeStep, time_step};
+use super::{
+    DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, REPORT, Solver, State, Stop, TimeStep, largest, time_step,
+};
 use crate::forces::{Forces, damping};
 use crate::model::{Inventory, Model};
 
 /// Steps between two renewals of [`TimeStep::Safe`].
 const RENEWAL: u64 = 20;
-/// Steps between two reports of progress.
-const REPORT: u64 = 50;
 
 /// How [`Dynamics`] steps through time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

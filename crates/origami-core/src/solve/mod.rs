@@ -22,6 +22,8 @@ pub use relax::{Relax, default_ramp};
 pub use state::State;
 pub use time_step::TimeStep;
 
+use glam::DVec3;
+
 use crate::model::{Inventory, Model};
 
 /// A fold angle past this many degrees means that layers have gone through each other and the state is tangled.
@@ -32,6 +34,9 @@ pub const DEFAULT_MAX_STEPS: u64 = 100_000;
 
 /// Default tolerance: a distance from the equilibrium, in radii of the sheet.
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;
+
+/// Force evaluations between two reports of progress.
+const REPORT: u64 = 50;
 
 /// What folds a model.
 pub trait Solver {
@@ -104,4 +109,9 @@ impl Folded {
     pub fn converged(&self) -> bool {
         self.stop == Stop::Converged
     }
+}
+
+/// The largest force, in the model's unit of force.
+fn largest(forces: &[DVec3]) -> f64 {
+    forces.iter().map(|f| f.length()).fold(0.0, f64::max)
 }

@@ -5,7 +5,7 @@ use super::guard::{Diverged, Guard};
 use super::perturb::perturb;
 use super::ramp::Ramp;
 use super::settle::Settling;
-use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, Solver, State, Stop};
+use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, REPORT, Solver, State, Stop, largest};
 use crate::forces::Forces;
 use crate::model::{Inventory, Model};
 
@@ -15,8 +15,6 @@ const HOLD: f64 = 0.1;
 const LONGER_RAMP: u32 = 3;
 /// The shortest ramp that is taken by itself.
 const SHORTEST_RAMP: u32 = 100;
-/// Evaluations between two reports of progress.
-const REPORT: u64 = 50;
 
 /// FIRE on row-sum masses while the target angles rise continuously; the default solver.
 ///
@@ -175,9 +173,4 @@ impl Relax {
         let (time_step, distance) = (fire.step(), settling.distance());
         Ok(Folded { state, percent, stop, steps, time_step, residual, distance, attempts: 1 })
     }
-}
-
-/// The largest force, in the model's unit of force.
-pub(super) fn largest(forces: &[glam::DVec3]) -> f64 {
-    forces.iter().map(|f| f.length()).fold(0.0, f64::max)
 }

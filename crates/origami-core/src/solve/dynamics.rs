@@ -2,17 +2,18 @@
 
 use glam::DVec3;
 
-use super::guard::{Diverged, Guard};
+use super::guard::Guard;
 use super::ramp::Ramp;
 use super::settle::Settling;
 use super::{
-    DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, REPORT, Solver, State, Stop, TimeStep, largest, time_step,
+    DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Progress, REPORT, Solver, State, Stop, TimeStep, largest,
+    time_step,
 };
 use crate::forces::{Forces, damping};
 use crate::model::{Inventory, Model};
 
 /// Steps between two renewals of [`TimeStep::Safe`].
-const RENEWAL: u64 = 20;
+pub const RENEWAL: u64 = 20;
 
 /// How [`Dynamics`] steps through time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,7 +62,7 @@ impl Solver for Dynamics {
         start: &State,
         percent: f64,
         observe: &mut dyn FnMut(Progress),
-    ) -> Result<Folded, Diverged> {
+    ) -> Result<Folded, Failed> {
         let mut state = start.clone();
         let mut ramp = Ramp::new(&start.targets, model.targets(percent), self.ramp);
         let mut forces = Forces::new(model);

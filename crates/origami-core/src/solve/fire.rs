@@ -8,18 +8,24 @@ use super::guard::Guard;
 use super::row_sums::row_sums;
 use crate::model::Model;
 
-const FIRST_STEP: f64 = 0.42;
-const LONGEST_STEP: f64 = 1.5;
-const SHORTEST_STEP: f64 = 0.028;
-const LONGER: f64 = 1.1;
-const SHORTER: f64 = 0.5;
-/// How much the velocity is turned towards the force, and how that share decays while it goes downhill.
-const MIXING: f64 = 0.15;
-const LESS_MIXING: f64 = 0.99;
+/// The first step, in units of each node's own; 2 would be the limit of stability.
+pub const FIRST_STEP: f64 = 0.42;
+/// The longest step.
+pub const LONGEST_STEP: f64 = 1.5;
+/// The shortest step.
+pub const SHORTEST_STEP: f64 = 0.028;
+/// Factor of the step while it goes downhill.
+pub const LONGER: f64 = 1.1;
+/// Factor of the step where it went uphill.
+pub const SHORTER: f64 = 0.5;
+/// How much the velocity is turned towards the force.
+pub const MIXING: f64 = 0.15;
+/// How that share decays while it goes downhill.
+pub const LESS_MIXING: f64 = 0.99;
 /// Downhill steps before the step may grow.
-const PATIENCE: u32 = 5;
+pub const PATIENCE: u32 = 5;
 /// Evaluations between two renewals of the masses: heights shrink as the sheet folds.
-const RENEWAL: u64 = 50;
+pub const RENEWAL: u64 = 50;
 
 /// The minimiser's own state.
 #[derive(Debug)]

@@ -6,18 +6,19 @@ use glam::DVec3;
 
 use super::State;
 use crate::error::Short;
-use crate::ids::VertexId;
+use crate::ids::{NodeId, VertexId};
 use crate::model::Model;
 
 /// Positions beyond this many radii make no sense: a sheet of radius 1 cannot reach a tenth of it.
-const FARTHEST: f64 = 100.0;
+pub const FARTHEST: f64 = 100.0;
 /// Nor do moves of more than this many radii in one step.
-const LONGEST_MOVE: f64 = 1.0;
+pub const LONGEST_MOVE: f64 = 1.0;
 /// Steps between two copies of the state.
-const COPY_EVERY: u64 = 100;
-/// A state is good to go back to while its nodes lie within this many radii and moved by less than a tenth of one.
-const GOOD_POSITION: f64 = 5.0;
-const GOOD_MOVE: f64 = 0.1;
+pub const COPY_EVERY: u64 = 100;
+/// A state is good to go back to while its nodes lie within this many radii.
+pub const GOOD_POSITION: f64 = 5.0;
+/// And while none of them moves by more than this many radii in one step.
+pub const GOOD_MOVE: f64 = 0.1;
 
 /// What grew beyond sense.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,17 +112,26 @@ impl<'m> Guard<'m> {
         let bad = |(_, (p, v)): &(usize, (&DVec3, &DVec3))| !Self::holds(**p, **v * time_step);
         let nodes = state.positions.iter().zip(&state.velocities).enumerate();
         let (node, (p, v)) = { nodes }.find(bad).expect("the caller saw a node out of bounds");
-        let (quantity, value) = match p.length() {
-            distance if distance <= FARTHEST => (Quantity::Move, v.length() * time_step),
+        let last_good = Box::new(self.last_good.clone());
+        Diverged::new(self.model, (NodeId::new(node), *p, *v * time_step), step, last_good, self.last_good_step)
+    }
+}
+
+impl Diverged {
+    /// Of a node that was found out of bounds after step `step`: where it is and the way that it has just made, both in
+    /// radii.
+    #[must_use]
+    pub fn new(
+        model: &Model,
+        (node, position, moved): (NodeId, DVec3, DVec3),
+        step: u64,
+        last_good: Box<State>,
+        last_good_step: u64,
+    ) -> Self {
+        let (quantity, value) = match position.length() {
+            distance if distance <= FARTHEST => (Quantity::Move, moved.length()),
             distance => (Quantity::Position, distance),
         };
-        Diverged {
-            vertex: self.model.mesh.vertex_of_node[node],
-            step,
-            quantity,
-            value,
-            last_good: Box::new(self.last_good.clone()),
-            last_good_step: self.last_good_step,
-        }
+        Self { vertex: model.mesh.vertex_of_node[node.index()], step, quantity, value, last_good, last_good_step }
     }
 }

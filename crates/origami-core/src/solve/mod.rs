@@ -3,21 +3,25 @@
 //! [`Relax`] gives the folded state, [`Dynamics`] the paper's motion. Both are deterministic: the same input gives the
 //! same bits.
 
-mod dynamics;
-mod fire;
-mod guard;
+pub mod dynamics;
+mod ensemble;
+mod failed;
+pub mod fire;
+pub mod guard;
 mod path;
 mod perturb;
 mod ramp;
-mod relax;
-mod row_sums;
-mod settle;
+pub mod relax;
+pub mod row_sums;
+pub mod settle;
 mod state;
 pub mod time_step;
 
 pub use dynamics::{Dynamics, Integrator};
+pub use ensemble::Instance;
+pub use failed::Failed;
 pub use guard::{Diverged, Quantity};
-pub use path::{PathDiverged, fold_path, frame_percents};
+pub use path::{PathFailed, fold_path, frame_percents};
 pub use relax::{Relax, default_ramp};
 pub use state::State;
 pub use time_step::TimeStep;
@@ -39,19 +43,30 @@ pub const DEFAULT_TOLERANCE: f64 = 1e-4;
 const REPORT: u64 = 50;
 
 /// What folds a model.
-pub trait Solver {
+pub trait Solver: Send + Sync {
     /// Takes the sheet from `start` to `percent` of the pattern's fold angles. `observe` is told now and then how far
     /// it has come.
     ///
     /// # Errors
-    /// [`Diverged`] where the state stops being finite or grows beyond any sense.
+    /// [`Failed::Diverged`] where the state stops being finite or grows beyond any sense; [`Failed::Backend`] where what
+    /// computes gives up, which the processor does not.
     fn fold(
         &self,
         model: &Model,
         start: &State,
         percent: f64,
         observe: &mut dyn FnMut(Progress),
-    ) -> Result<Folded, Diverged>;
+    ) -> Result<Folded, Failed>;
+
+    /// Folds many sheets at once, each as [`Solver::fold`] would; the results come in the order of `instances`. On the
+    /// processor one takes a thread. `observe` is told the place of an instance and how far it has come.
+    fn fold_all(
+        &self,
+        instances: &[Instance<'_>],
+        observe: &(dyn Fn(usize, Progress) + Sync),
+    ) -> Vec<Result<Folded, Failed>> {
+        ensemble::over_threads(self, instances, observe)
+    }
 
     /// What the model holds and leaves out, and what of its own this solver adds or does without.
     fn inventory(&self, model: &Model) -> Inventory {

@@ -1,6 +1,6 @@
 //! States along the way: folding depends on its path, and an animation shows it.
 
-use super::{Diverged, Folded, Progress, Solver, State};
+use super::{Failed, Folded, Progress, Solver, State};
 use crate::error::Short;
 use crate::model::Model;
 
@@ -12,34 +12,34 @@ pub fn frame_percents(percent: f64, frames: u32) -> Vec<f64> {
 
 /// One stage of a path did not hold.
 #[derive(Clone, Debug, thiserror::Error)]
-#[error("at {} %: {diverged}", Short(*percent))]
-pub struct PathDiverged {
+#[error("at {} %: {failed}", Short(*percent))]
+pub struct PathFailed {
     /// The states before it, all of which held.
     pub states: Vec<Folded>,
     /// The percentage that it was on its way to.
     pub percent: f64,
     /// What happened, with the last good state of that stage.
     #[source]
-    pub diverged: Diverged,
+    pub failed: Failed,
 }
 
 /// Folds to each percentage in turn, every one from the state before it, the first from the sheet at rest. `observe` is
 /// told the place of the stage in `percents` and how far its solver has come.
 ///
 /// # Errors
-/// [`PathDiverged`] from the first that does not hold, with the states before it.
+/// [`PathFailed`] from the first that does not hold, with the states before it.
 pub fn fold_path(
     model: &Model,
     solver: &dyn Solver,
     percents: &[f64],
     observe: &mut dyn FnMut(usize, Progress),
-) -> Result<Vec<Folded>, PathDiverged> {
+) -> Result<Vec<Folded>, PathFailed> {
     let mut states: Vec<Folded> = Vec::with_capacity(percents.len());
     for (stage, &percent) in percents.iter().enumerate() {
         let start = states.last().map_or_else(|| State::at_rest(model), |folded| folded.state.clone());
         match solver.fold(model, &start, percent, &mut |progress| observe(stage, progress)) {
             Ok(folded) => states.push(folded),
-            Err(diverged) => return Err(PathDiverged { states, percent, diverged }),
+            Err(failed) => return Err(PathFailed { states, percent, failed }),
         }
     }
     Ok(states)
@@ -64,7 +64,7 @@ mod tests {
             start: &State,
             percent: f64,
             observe: &mut dyn FnMut(Progress),
-        ) -> Result<Folded, Diverged> {
+        ) -> Result<Folded, Failed> {
             let time_step = if percent > self.beyond { TimeStep::Fixed(10.0) } else { TimeStep::Safe };
             let solver = Dynamics { time_step, steps: Some(200), ..Dynamics::default() };
             solver.fold(model, start, percent, observe)
@@ -83,7 +83,11 @@ mod tests {
         assert_eq!((reached, failed.percent), (vec![0.0, 30.0], 60.0));
         assert!(failed.to_string().starts_with("at 60 %: diverged at step "), "{failed}");
         let last = &failed.states[1].state;
-        assert_eq!(failed.diverged.last_good.positions, last.positions, "the third stage began where the second ended");
+        assert_eq!(
+            failed.failed.last_state().positions,
+            last.positions,
+            "the third stage began where the second ended"
+        );
         stages.dedup();
         assert!(stages.is_sorted() && stages.last() <= Some(&2));
     }

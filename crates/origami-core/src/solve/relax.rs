@@ -1,16 +1,16 @@
 //! Relaxation: the folded state, without the motion that leads to it.
 
 use super::fire::Fire;
-use super::guard::{Diverged, Guard};
+use super::guard::Guard;
 use super::perturb::perturb;
 use super::ramp::Ramp;
 use super::settle::Settling;
-use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Folded, Progress, REPORT, Solver, State, Stop, largest};
+use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Progress, REPORT, Solver, State, Stop, largest};
 use crate::forces::Forces;
 use crate::model::{Inventory, Model};
 
 /// The ramp stops while a crease turns by more than this in one evaluation, in radians.
-const HOLD: f64 = 0.1;
+pub const HOLD: f64 = 0.1;
 /// How much longer the ramp of a second attempt is; the third is a jump, which goes another way altogether.
 const LONGER_RAMP: u32 = 3;
 /// The shortest ramp that is taken by itself.
@@ -77,6 +77,25 @@ fn ramp_from(model: &Model, start: &State, percent: f64) -> u32 {
     part.clamp(SHORTEST_RAMP.min(whole), whole)
 }
 
+/// One way to a state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Attempt {
+    /// 1 for the first.
+    pub number: u32,
+    /// Evaluations over which the target angles rise; 0 is a jump.
+    pub ramp: u32,
+    /// Evaluations after which it ends.
+    pub limit: u64,
+}
+
+/// The state of lower energy of two that are asked for the same, with the steps of both; `other` came of attempt `number`.
+#[must_use]
+pub fn lower(model: &Model, kept: Folded, other: Folded, number: u32) -> Folded {
+    let steps = kept.steps + other.steps;
+    let other_is_lower = other.state.energy(model).total() < kept.state.energy(model).total();
+    Folded { steps, attempts: number, ..if other_is_lower { other } else { kept } }
+}
+
 impl Solver for Relax {
     fn fold(
         &self,
@@ -84,25 +103,17 @@ impl Solver for Relax {
         start: &State,
         percent: f64,
         observe: &mut dyn FnMut(Progress),
-    ) -> Result<Folded, Diverged> {
-        let ramp = self.ramp.unwrap_or_else(|| ramp_from(model, start, percent));
-        let limit = self.steps.unwrap_or(self.max_steps);
-        let mut kept = self.attempt(model, start, percent, (ramp, limit), observe)?;
-        if !self.retry || self.steps.is_some() || start.tangled_creases() > 0 {
-            return Ok(kept);
-        }
-        let longer = ramp.max(default_ramp(model)).saturating_mul(LONGER_RAMP);
-        for (ramp, attempts) in [(longer, 2), (0, 3)] {
+    ) -> Result<Folded, Failed> {
+        let mut attempt = self.first_attempt(model, start, percent);
+        let mut kept = self.attempt(model, start, percent, attempt, observe)?;
+        while let Some(next) = self.next_attempt(model, start, attempt, &kept) {
+            attempt = next;
             let so_far = kept.steps;
-            if kept.state.tangled_creases() == 0 || so_far >= limit {
-                break;
-            }
             let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
             // The state at hand is finite: another way that diverges does not take it away.
-            let Ok(other) = self.attempt(model, start, percent, (ramp, limit - so_far), &mut observe) else { continue };
-            let steps = so_far + other.steps;
-            let lower = other.state.energy(model).total() < kept.state.energy(model).total();
-            kept = Folded { steps, attempts, ..if lower { other } else { kept } };
+            if let Ok(other) = self.attempt(model, start, percent, attempt, &mut observe) {
+                kept = lower(model, kept, other, attempt.number);
+            }
         }
         Ok(kept)
     }
@@ -118,9 +129,42 @@ impl Relax {
     /// From the sheet at rest to `percent` of the pattern's fold angles.
     ///
     /// # Errors
-    /// [`Diverged`] where the state stops being finite or grows beyond any sense.
-    pub fn fold_from_rest(&self, model: &Model, percent: f64) -> Result<Folded, Diverged> {
+    /// [`Failed::Diverged`] where the state stops being finite or grows beyond any sense.
+    pub fn fold_from_rest(&self, model: &Model, percent: f64) -> Result<Folded, Failed> {
         self.fold(model, &State::at_rest(model), percent, &mut |_| {})
+    }
+
+    /// The first of up to three ways to a state.
+    #[must_use]
+    pub fn first_attempt(&self, model: &Model, start: &State, percent: f64) -> Attempt {
+        let ramp = self.ramp.unwrap_or_else(|| ramp_from(model, start, percent));
+        Attempt { number: 1, ramp, limit: self.steps.unwrap_or(self.max_steps) }
+    }
+
+    /// The way to be tried after `last`, where the best state so far, `kept`, is tangled: a longer ramp, then a jump.
+    #[must_use]
+    pub fn next_attempt(&self, model: &Model, start: &State, last: Attempt, kept: &Folded) -> Option<Attempt> {
+        let limit = self.steps.unwrap_or(self.max_steps).saturating_sub(kept.steps);
+        let wanted = self.retry && self.steps.is_none() && limit > 0;
+        if !wanted || kept.state.tangled_creases() == 0 || start.tangled_creases() > 0 {
+            return None;
+        }
+        let ramp = match last.number {
+            1 => last.ramp.max(default_ramp(model)).saturating_mul(LONGER_RAMP),
+            2 => 0,
+            _ => return None,
+        };
+        Some(Attempt { number: last.number + 1, ramp, limit })
+    }
+
+    /// Where an attempt begins: at rest, and off every symmetry where there is something to be folded.
+    #[must_use]
+    pub fn beginning(&self, model: &Model, start: &State, percent: f64) -> State {
+        let mut state = State { velocities: vec![glam::DVec3::ZERO; model.node_count()], ..start.clone() };
+        if self.perturbation > 0.0 && model.targets(percent) != start.targets {
+            perturb(model, &mut state.positions, self.perturbation);
+        }
+        state
     }
 
     fn attempt(
@@ -128,15 +172,11 @@ impl Relax {
         model: &Model,
         start: &State,
         percent: f64,
-        (ramp, limit): (u32, u64),
+        Attempt { ramp, limit, .. }: Attempt,
         observe: &mut dyn FnMut(Progress),
-    ) -> Result<Folded, Diverged> {
-        let mut state = State { velocities: vec![glam::DVec3::ZERO; model.node_count()], ..start.clone() };
-        let targets = model.targets(percent);
-        if self.perturbation > 0.0 && targets != start.targets {
-            perturb(model, &mut state.positions, self.perturbation);
-        }
-        let mut ramp = Ramp::new(&start.targets, targets, ramp);
+    ) -> Result<Folded, Failed> {
+        let mut state = self.beginning(model, start, percent);
+        let mut ramp = Ramp::new(&start.targets, model.targets(percent), ramp);
         let mut forces = Forces::new(model);
         let mut fire = Fire::new(model);
         let mut guard = Guard::new(model, start);

@@ -11,7 +11,7 @@ use crate::forces::creases::hinge;
 use crate::model::Model;
 
 /// Writes `K_i` of every node at `positions`; all above 0, as every node has a beam.
-pub(super) fn row_sums(model: &Model, positions: &[DVec3], sums: &mut [f64]) {
+pub fn row_sums(model: &Model, positions: &[DVec3], sums: &mut [f64]) {
     sums.fill(0.0);
     for beam in &model.beams {
         for n in beam.nodes {
@@ -22,7 +22,8 @@ pub(super) fn row_sums(model: &Model, positions: &[DVec3], sums: &mut [f64]) {
 }
 
 /// `K_i` of every node at rest as if its beams did not resist, and that of its beams where it has nothing else.
-pub(super) fn soft_sums(model: &Model) -> Vec<f64> {
+#[must_use]
+pub fn soft_sums(model: &Model) -> Vec<f64> {
     let mut sums = vec![0.0; model.node_count()];
     add_springs(model, &model.rest, &mut sums);
     let mut with_beams = vec![0.0; model.node_count()];

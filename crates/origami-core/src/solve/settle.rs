@@ -6,16 +6,17 @@ use super::row_sums::soft_sums;
 use crate::model::Model;
 
 /// Successive windows that must all look settled.
-const WINDOWS: u32 = 3;
+pub const WINDOWS: u32 = 3;
 /// Each must estimate less than this share of the tolerance.
-const SHARE: f64 = 0.3;
+pub const SHARE: f64 = 0.3;
 /// One that estimates less than this share counts as two.
-const SMALL_SHARE: f64 = 0.03;
+pub const SMALL_SHARE: f64 = 0.03;
 /// Evaluations before which no state is said to have settled: slow motion does not show in the first short windows.
-const LEAST: u64 = 160;
-/// Evaluations in the shortest window, and the share of all evaluations in a longer one.
-const SHORTEST: u64 = 20;
-const SHARE_OF_PAST: f64 = 0.05;
+pub const LEAST: u64 = 160;
+/// Evaluations in the shortest window.
+pub const SHORTEST: u64 = 20;
+/// The share of all evaluations in a longer one.
+pub const SHARE_OF_PAST: f64 = 0.05;
 
 /// Watches a state over windows of evaluations at constant targets.
 ///

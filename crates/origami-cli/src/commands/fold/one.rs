@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use origami::model::Model;
-use origami::solve::{Progress, Stop, fold_path};
+use origami::solve::{Failed, Progress, Stop, fold_path};
 use origami::{CreasePattern, Error};
 
 use super::summary::{self, Told};
@@ -28,7 +28,7 @@ pub(super) fn fold(
 ) -> Finished {
     let mut told = Told { input: input.to_string(), ..Told::default() };
     match attempt(input, targets, settings, observe, &mut told) {
-        Ok((exit, run)) => Finished { exit, report: Report::Folded(Box::new(run)), told },
+        Ok((exit, report)) => Finished { exit, report, told },
         // Nobody reads standard output any more: that is the reader's business.
         Err(Error::Io { path, source }) if path == "-" && source.kind() == std::io::ErrorKind::BrokenPipe => {
             let error = source.to_string();
@@ -48,7 +48,7 @@ fn attempt(
     settings: &Settings,
     observe: &mut dyn FnMut(usize, Progress),
     told: &mut Told,
-) -> Result<(Exit, Run), Error> {
+) -> Result<(Exit, Report), Error> {
     let mut watch = Stopwatch::start();
     let mut seconds = Seconds::default();
     let document = input.read()?;
@@ -78,19 +78,24 @@ fn attempt(
     let states = match solved {
         Ok(states) => states,
         Err(failed) => {
+            let Failed::Diverged(diverged) = &failed.failed else {
+                told.errors.push(format!("{input}: {failed}"));
+                let error = failed.to_string();
+                return Ok((Exit::BadInput, Report::Refused { input: input.to_string(), error }));
+            };
             run.measured = Measured {
                 percent: failed.percent,
                 time_step: settings.first_time_step(&model),
-                steps: failed.states.iter().map(|folded| folded.steps).sum::<u64>() + failed.diverged.step,
+                steps: failed.states.iter().map(|folded| folded.steps).sum::<u64>() + diverged.step,
                 stop: Ending::Diverged,
                 attempts: 1,
                 ..Measured::default()
             };
-            run.diverged = Some(Divergence::from(&failed.diverged));
+            run.diverged = Some(Divergence::from(diverged));
             let held = failed.states.iter().map(|folded| Measured::new(&model, folded));
             run.frames = settings.animated.then(|| held.collect());
             told.errors.push(format!("{input}: {failed}; {}", settings.advice()));
-            return Ok((Exit::Diverged, run));
+            return Ok((Exit::Diverged, Report::Folded(Box::new(run))));
         }
     };
 
@@ -117,7 +122,7 @@ fn attempt(
     if let Some(folded) = limited {
         told.errors.push(summary::not_converged(input, folded, settings.tolerance));
     }
-    Ok((if limited.is_some() { Exit::NotConverged } else { Exit::Done }, run))
+    Ok((if limited.is_some() { Exit::NotConverged } else { Exit::Done }, Report::Folded(Box::new(run))))
 }
 
 /// The last state, with the steps of all of them; converged if all of them are.

@@ -1,0 +1,30 @@
+//! Many sheets of one pattern: other percentages, materials, starts.
+
+use rayon::prelude::*;
+
+use super::{Failed, Folded, Progress, Solver, State};
+use crate::model::Model;
+
+/// One sheet of an ensemble.
+#[derive(Clone, Debug)]
+pub struct Instance<'m> {
+    /// Its model; those of one ensemble come from one pattern, with materials of their own.
+    pub model: &'m Model,
+    /// Where it begins: at rest, perturbed or on the way.
+    pub start: State,
+    /// Percentage of the pattern's fold angles.
+    pub percent: f64,
+}
+
+/// One instance a thread, as many at once as rayon's current pool has threads.
+pub(super) fn over_threads<S: Solver + ?Sized>(
+    solver: &S,
+    instances: &[Instance<'_>],
+    observe: &(dyn Fn(usize, Progress) + Sync),
+) -> Vec<Result<Folded, Failed>> {
+    let fold = |(i, instance): (usize, &Instance<'_>)| {
+        solver.fold(instance.model, &instance.start, instance.percent, &mut |progress| observe(i, progress))
+    };
+    // One at a time: some take a hundred times as long as others.
+    instances.par_iter().enumerate().with_max_len(1).map(fold).collect()
+}

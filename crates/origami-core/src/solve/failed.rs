@@ -1,0 +1,36 @@
+//! Why a solver has no result.
+
+use std::error::Error;
+use std::sync::Arc;
+
+use super::{Diverged, State};
+
+/// Why a solver has no result.
+#[derive(Clone, Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Failed {
+    /// The state left all bounds.
+    #[error(transparent)]
+    Diverged(#[from] Diverged),
+    /// What computes gave up: a GPU was lost or has too little memory.
+    #[error("{source}")]
+    Backend {
+        /// What it said.
+        source: Arc<dyn Error + Send + Sync>,
+        /// The last state that was read from it, or the one that it began with.
+        last_read: Box<State>,
+        /// The step of that state.
+        last_read_step: u64,
+    },
+}
+
+impl Failed {
+    /// The last state that is known to be sound.
+    #[must_use]
+    pub fn last_state(&self) -> &State {
+        match self {
+            Self::Diverged(diverged) => &diverged.last_good,
+            Self::Backend { last_read, .. } => last_read,
+        }
+    }
+}

@@ -1,0 +1,2 @@
+//! The WGSL compute shaders of origami.
+#![forbid(unsafe_code)]

@@ -1,9 +1,10 @@
 //! From the command line to what the library wants.
 
 use origami::model::Material;
-use origami::solve::{Dynamics, Integrator, Relax, Solver, TimeStep, frame_percents, time_step};
+use origami::solve::{Dynamics, Integrator, Relax, TimeStep, frame_percents, time_step};
 
-use crate::args::{BackendName, FoldArgs, IntegratorName, SolverName};
+use crate::args::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, SolverName};
+use crate::backend::{Backend, Method};
 use crate::numbers::plain;
 
 /// How every input of a run is folded.
@@ -19,7 +20,9 @@ pub(crate) struct Settings {
     /// As on the command line.
     pub(crate) solver_name: SolverName,
     /// What folds.
-    pub(crate) solver: Box<dyn Solver + Sync>,
+    pub(crate) method: Method,
+    /// Where.
+    pub(crate) backend: Backend,
     /// Distance from the equilibrium, in radii.
     pub(crate) tolerance: f64,
     /// The rule for the length of a step of dynamics.
@@ -31,27 +34,24 @@ impl Settings {
     /// Those of the arguments.
     ///
     /// # Errors
-    /// What this build cannot do.
+    /// What this build or this machine cannot do.
     pub(crate) fn new(args: &FoldArgs) -> Result<Self, String> {
         let solving = &args.solving;
-        if solving.backend == BackendName::Gpu {
-            return Err("--backend gpu: this build has no GPU backend; expected auto or cpu".to_owned());
-        }
         let (tolerance, max_steps, steps) = (solving.tolerance, solving.max_steps, solving.steps);
         let time_step = solving.time_step.unwrap_or(TimeStep::Paper);
         let integrator = match solving.integrator {
             None | Some(IntegratorName::Euler) => Integrator::Euler,
             Some(IntegratorName::Verlet) => Integrator::Verlet,
         };
-        let solver: Box<dyn Solver + Sync> = match solving.solver {
+        let method = match solving.solver {
             SolverName::Relax => {
                 let mut relax = Relax { tolerance, ramp: solving.ramp, max_steps, steps, ..Relax::default() };
                 relax.perturbation = solving.perturbation.unwrap_or(relax.perturbation);
-                Box::new(relax)
+                Method::Relax(relax)
             }
             SolverName::Dynamics => {
                 let ramp = solving.ramp.unwrap_or(0);
-                Box::new(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps })
+                Method::Dynamics(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps })
             }
         };
         Ok(Self {
@@ -60,7 +60,8 @@ impl Settings {
             animated: args.frames.is_some(),
             material: args.material.material(),
             solver_name: solving.solver,
-            solver,
+            method,
+            backend: Backend::new(solving.backend, solving.adapter.as_deref())?,
             tolerance,
             time_step,
             integrator,
@@ -102,6 +103,13 @@ pub(crate) fn oddities(args: &FoldArgs) -> Vec<String> {
     ];
     for (name, ..) in given.iter().filter(|(_, solver, given)| *given && *solver != solving.solver) {
         oddities.push(format!("{name} has no effect with --solver {}", solving.solver.name()));
+    }
+    // What the environment names is meant for other runs.
+    let named = solving.adapter.is_some() && solving.adapter != std::env::var(ADAPTER_VARIABLE).ok();
+    if named && solving.backend == BackendName::Cpu {
+        oddities.push("--adapter has no effect with --backend cpu".to_owned());
+    } else if named && cfg!(not(feature = "gpu")) {
+        oddities.push("--adapter has no effect in a build without the feature `gpu`".to_owned());
     }
     oddities
 }

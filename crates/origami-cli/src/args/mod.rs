@@ -1,12 +1,14 @@
 //! The command line, one file a command. Defaults of the simulation come from the library.
 
+mod adapters;
 mod fold;
 mod info;
 mod material;
 mod pattern;
 mod values;
 
-pub(crate) use fold::{BackendName, FoldArgs, IntegratorName, SolverName};
+pub(crate) use adapters::AdaptersArgs;
+pub(crate) use fold::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, SolverName};
 pub(crate) use info::InfoArgs;
 pub(crate) use material::MaterialArgs;
 pub(crate) use pattern::PatternArgs;
@@ -46,6 +48,7 @@ pub(crate) enum Command {
     Fold(Box<FoldArgs>),
     Info(InfoArgs),
     Pattern(PatternArgs),
+    Adapters(AdaptersArgs),
     /// Write a completion script for a shell to standard output.
     #[command(after_help = "Example:\n  origami completions bash > ~/.local/share/bash-completion/completions/origami")]
     Completions {

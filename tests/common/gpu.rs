@@ -12,8 +12,9 @@ pub(crate) fn gpu() -> Option<Gpu> {
     let opened = SHARED.get_or_init(|| match Gpu::open(&AdapterChoice::from_env()) {
         Ok(gpu) => Some(gpu),
         Err(error) => {
-            // Past the harness, which shows nothing of tests that pass.
-            let _ = writeln!(std::io::stderr(), "tests on a GPU are skipped: {error}");
+            // Past the harness, which shows nothing of tests that pass, and in one piece.
+            let line = format!("\ntests on a GPU are skipped: {error}\n");
+            let _ = std::io::stderr().write_all(line.as_bytes());
             None
         }
     });

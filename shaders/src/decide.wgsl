@@ -11,6 +11,8 @@ fn decide(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     if (local == 0u && control[instance].stop == RUNNING) {
         if (atomicLoad(&control[instance].bad_node) != NONE) {
             control[instance].stop = DIVERGED;
+        } else if (control[instance].step >= control[instance].limit) {
+            control[instance].stop = LIMITED;
         } else {
             fire(instance, sums);
         }

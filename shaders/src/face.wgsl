@@ -6,7 +6,9 @@ struct Face {
     slots: array<u32, 3>,
     // The crease on each side, from corner i to the next, with flags; side i lies opposite to corner i + 2.
     sides: array<u32, 3>,
-    rest_lengths: array<f32, 3>,
+    // The squares of the rest lengths, in two parts: see `excess`.
+    rest_high: array<i32, 3>,
+    rest_low: array<f32, 3>,
 }
 
 // No other face has the side: its beam is this face's alone.
@@ -26,6 +28,8 @@ struct Triangle {
     // Sides 0-1, 1-2 and 2-0.
     sides: array<vec3<f32>, 3>,
     squares: vec3<f32>,
+    // By how much the squares exceed those at rest.
+    excess: vec3<f32>,
     // At each corner, the product of its two sides.
     dots: vec3<f32>,
     // As long as twice the area.
@@ -44,6 +48,11 @@ fn triangle(instance: u32, f: Face) -> Triangle {
     var t: Triangle;
     t.sides = array<vec3<f32>, 3>(ab, bc, ca);
     t.squares = vec3<f32>(dot(ab, ab), dot(bc, bc), dot(ca, ca));
+    t.excess = vec3<f32>(
+        excess(a, b, f.rest_high[0], f.rest_low[0]),
+        excess(b, c, f.rest_high[1], f.rest_low[1]),
+        excess(c, a, f.rest_high[2], f.rest_low[2]),
+    );
     t.dots = -vec3<f32>(dot(ab, ca), dot(ab, bc), dot(bc, ca));
     t.normal = cross(ca, ab);
     t.normal_squared = dot(t.normal, t.normal);

@@ -14,17 +14,12 @@ fn moment(instance: u32, side: u32) -> f32 {
     return crease_states[instance * CREASES + crease].moment;
 }
 
-// Force of a side's beam (2.2) over its length: k (l - l0) / l, for this face's part.
-fn beam(instance: u32, f: u32, i: u32, side: u32, rest_length: f32, length: f32) -> f32 {
+// Force of a side's beam (2.2) over its length: k (l - l0) / l, with l - l0 = (l^2 - l0^2) / (l + l0).
+fn tension(stiffness: f32, length: f32, rest: f32, excess: f32) -> f32 {
     if (length == 0.0) {
         return 0.0;
     }
-    return part(side) * side_stiffness(instance, f, i, rest_length) * (length - rest_length) / length;
-}
-
-// c = 2 zeta sqrt(k) (2.5), masses 1, for this face's part.
-fn damping(instance: u32, f: u32, i: u32, side: u32, rest_length: f32) -> f32 {
-    return part(side) * 2.0 * zeta(instance) * sqrt(side_stiffness(instance, f, i, rest_length));
+    return stiffness * excess / ((length + rest) * length);
 }
 
 fn face(instance: u32, f: u32) {
@@ -37,13 +32,16 @@ fn face(instance: u32, f: u32) {
     let pulls = corner_pulls(instance, f, doubled_area, t.squares, t.dots);
     var along: array<vec3<f32>, 3>;
     for (var i = 0u; i < 3u; i++) {
-        let tension = beam(instance, f, i, own.sides[i], own.rest_lengths[i], lengths[i]);
-        along[i] = t.sides[i] * tension + cross(t.normal, t.sides[i]) * pulls[i];
+        let rest = rest_length(own.rest_high[i], own.rest_low[i]);
+        let stiffness = side_stiffness(instance, f, i, rest);
+        let beam = part(own.sides[i]) * tension(stiffness, lengths[i], rest, t.excess[i]);
+        along[i] = t.sides[i] * beam + cross(t.normal, t.sides[i]) * pulls[i];
         if (DAMPED) {
             let base = instance * NODES;
             let next = (i + 1u) % 3u;
             let apart = nodes[base + own.nodes[next]].velocity - nodes[base + own.nodes[i]].velocity;
-            along[i] += apart * damping(instance, f, i, own.sides[i], own.rest_lengths[i]);
+            // c = 2 zeta sqrt(k) (2.5), masses 1.
+            along[i] += apart * (part(own.sides[i]) * 2.0 * zeta(instance) * sqrt(stiffness));
         }
     }
 

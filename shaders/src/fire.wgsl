@@ -1,7 +1,6 @@
 // FIRE on row-sum masses (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006): every node moves at its own local step.
 
 override FIRE_RENEWAL: u32 = 50u;
-override FIRST_STEP: f32 = 0.42;
 override LONGEST_STEP: f32 = 1.5;
 override SHORTEST_STEP: f32 = 0.028;
 override LONGER: f32 = 1.1;

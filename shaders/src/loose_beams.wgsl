@@ -3,7 +3,9 @@
 struct LooseBeam {
     nodes: array<u32, 2>,
     slots: array<u32, 2>,
-    rest_length: f32,
+    // As in `Face`.
+    rest_high: i32,
+    rest_low: f32,
     // 0 stands for the material's.
     rigidity: f32,
 }
@@ -13,12 +15,16 @@ struct LooseBeam {
 fn loose_beam(instance: u32, b: u32) {
     let own = loose_beams[b];
     let base = instance * NODES;
-    let along = between(place(base + own.nodes[0]), place(base + own.nodes[1]));
+    let start = place(base + own.nodes[0]);
+    let end = place(base + own.nodes[1]);
+    let along = between(start, end);
     let length = sqrt(dot(along, along));
-    let k = select(ea(instance), own.rigidity, own.rigidity > 0.0) / own.rest_length;
+    let rest = rest_length(own.rest_high, own.rest_low);
+    let k = select(ea(instance), own.rigidity, own.rigidity > 0.0) / rest;
     var force = vec3<f32>(0.0);
     if (length > 0.0) {
-        force = along * (k * (length - own.rest_length) / length);
+        let longer = excess(start, end, own.rest_high, own.rest_low);
+        force = along * (k * longer / ((length + rest) * length));
     }
     if (DAMPED) {
         let apart = nodes[base + own.nodes[1]].velocity - nodes[base + own.nodes[0]].velocity;

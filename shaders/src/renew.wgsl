@@ -7,7 +7,5 @@ fn renew(@builtin(workgroup_id) id: vec3<u32>) {
     }
     let stiffness = bitcast<f32>(atomicExchange(&control[id.y].stiffest, 0u));
     let damping = control[id.y].damping_sum;
-    let dt = 0.9 * 4.0 / (damping + sqrt(damping * damping + 4.0 * stiffness));
-    control[id.y].time_step = dt;
-    control[id.y].next_step = dt;
+    control[id.y].next_step = 0.9 * 4.0 / (damping + sqrt(damping * damping + 4.0 * stiffness));
 }

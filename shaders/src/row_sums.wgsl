@@ -44,7 +44,8 @@ fn face_sums(instance: u32, f: u32) {
     var sums: array<f32, 3>;
     for (var i = 0u; i < 3u; i++) {
         let next = (i + 1u) % 3u;
-        let beam = part(own.sides[i]) * 2.0 * side_stiffness(instance, f, i, own.rest_lengths[i]);
+        let rest = rest_length(own.rest_high[i], own.rest_low[i]);
+        let beam = part(own.sides[i]) * 2.0 * side_stiffness(instance, f, i, rest);
         let crease = crease_sums(instance, own.sides[i]);
         sums[i] += beam + crease.x;
         sums[next] += beam + crease.y;

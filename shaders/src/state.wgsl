@@ -30,11 +30,12 @@ const NONE: u32 = 0xffffffffu;
 const RUNNING: u32 = 0u;
 const SETTLED: u32 = 1u;
 const DIVERGED: u32 = 2u;
+const LIMITED: u32 = 3u;
 
 // A position is high * QUANTUM + low. Differences are taken part by part, the high ones between integers: no compiler may
 // reassociate those away, and two nodes that lie near each other keep all digits of what lies between them.
-const QUANTUM: f32 = 1.52587890625e-5;
-const PER_QUANTUM: f32 = 65536.0;
+const QUANTUM: f32 = 0.000244140625;
+const PER_QUANTUM: f32 = 4096.0;
 
 struct Node {
     high: vec3<i32>,
@@ -113,6 +114,21 @@ fn place(node: u32) -> Place {
 
 fn between(start: Place, end: Place) -> vec3<f32> {
     return vec3<f32>(end.high - start.high) * QUANTUM + (end.low - start.low);
+}
+
+// By how much the square of a distance exceeds that at rest, which is given as integer times QUANTUM^2 and the rest. What
+// makes forces is this small difference of large squares: their high parts are subtracted as integers.
+fn excess(start: Place, end: Place, rest_high: i32, rest_low: f32) -> f32 {
+    let high = end.high - start.high;
+    let low = end.low - start.low;
+    let whole = high.x * high.x + high.y * high.y + high.z * high.z - rest_high;
+    let mixed = 2.0 * QUANTUM * dot(vec3<f32>(high), low) + dot(low, low);
+    return f32(whole) * (QUANTUM * QUANTUM) + (mixed - rest_low);
+}
+
+// The distance at rest.
+fn rest_length(rest_high: i32, rest_low: f32) -> f32 {
+    return sqrt(f32(rest_high) * (QUANTUM * QUANTUM) + rest_low);
 }
 
 // The share of the way that the target angles have come.

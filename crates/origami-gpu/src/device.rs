@@ -4,6 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, OnceLock};
 
 use crate::adapter::{AdapterChoice, AdapterSummary, found};
+use crate::engine::Dispatch;
 use crate::error::{GpuError, one_line};
 use crate::solver::OnGpu;
 
@@ -67,7 +68,7 @@ impl Gpu {
 
     /// `method` (a `Relax` or a `Dynamics`) computed here instead of on the processor.
     pub fn with<S>(&self, method: S) -> OnGpu<S> {
-        OnGpu { gpu: self.clone(), method }
+        OnGpu { gpu: self.clone(), method, dispatch: Dispatch::Auto }
     }
 
     pub(crate) fn device(&self) -> &wgpu::Device {
@@ -97,6 +98,14 @@ impl Gpu {
     /// As [`Gpu::check`].
     pub(crate) fn wait(&self) -> Result<(), GpuError> {
         self.poll(wgpu::PollType::wait_indefinitely())
+    }
+
+    /// Waits until one submission is done.
+    ///
+    /// # Errors
+    /// As [`Gpu::check`].
+    pub(crate) fn wait_for(&self, submission: wgpu::SubmissionIndex) -> Result<(), GpuError> {
+        self.poll(wgpu::PollType::Wait { submission_index: Some(submission), timeout: None })
     }
 
     /// Runs `f` and returns what it came to, unless wgpu refused anything in it. Only calls on this thread count.

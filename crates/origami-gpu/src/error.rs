@@ -50,6 +50,14 @@ pub enum GpuError {
         /// The adapter's limit.
         allowed: u64,
     },
+    /// The scene has more elements of a kind than one dispatch can count.
+    #[error("the sheet has {count} elements of a kind; one dispatch takes {allowed} (expected a smaller sheet)")]
+    TooManyElements {
+        /// How many there are.
+        count: u64,
+        /// How many are allowed.
+        allowed: u64,
+    },
     /// A mistake of ours that wgpu refused, or a driver that fails.
     #[error("the GPU refused: {0}")]
     Refused(String),

@@ -3,12 +3,24 @@
 
 mod adapter;
 mod device;
+mod dynamics;
+mod engine;
+mod ensemble;
 mod error;
+mod inventory;
+mod kernels;
+mod layout;
+mod pipeline;
+mod relax;
+mod run;
+mod scene;
 mod solver;
 #[cfg(test)]
 mod testing;
+mod variant;
 
 pub use adapter::{AUTO_NODES, AdapterChoice, AdapterKind, AdapterLimits, AdapterSummary, Lack, adapters};
 pub use device::Gpu;
+pub use engine::{Dispatch, WORKGROUP_NODES};
 pub use error::GpuError;
 pub use solver::OnGpu;

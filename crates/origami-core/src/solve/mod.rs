@@ -15,6 +15,7 @@ pub mod relax;
 pub mod row_sums;
 pub mod settle;
 mod state;
+mod sweep;
 pub mod time_step;
 
 pub use dynamics::{Dynamics, Integrator};
@@ -24,6 +25,7 @@ pub use guard::{Diverged, Quantity};
 pub use path::{PathFailed, fold_path, frame_percents};
 pub use relax::{Relax, default_ramp};
 pub use state::State;
+pub use sweep::{Point, Sweep};
 pub use time_step::TimeStep;
 
 use glam::DVec3;

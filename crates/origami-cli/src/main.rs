@@ -10,6 +10,7 @@ mod numbers;
 mod progress;
 mod report;
 mod settings;
+mod stopwatch;
 
 use std::process::ExitCode;
 

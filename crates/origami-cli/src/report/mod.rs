@@ -2,9 +2,11 @@
 
 mod measured;
 mod scene;
+mod sweep;
 
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use scene::{Note, Scene};
+pub(crate) use sweep::{Row, Table, Varied, write_csv, write_json};
 
 use origami::solve::{Diverged, Quantity};
 use serde::Serialize;

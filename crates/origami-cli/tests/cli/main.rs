@@ -10,4 +10,5 @@ mod pattern;
 mod place;
 mod report;
 mod streams;
+mod sweep;
 mod usage;

@@ -40,8 +40,8 @@ impl fmt::Display for List {
     }
 }
 
-/// All values of `FROM:TO:STEP`, its end included if a step leads there but for rounding. Ends are held to the bounds of
-/// the numbers, and so is all that lies between them.
+/// All values of `FROM:TO:STEP`, its end included if a step leads there but for rounding. Its ends are held to the
+/// bounds of the numbers, and so is all that lies between them.
 fn range(
     item: &str,
     ends: [&str; 2],

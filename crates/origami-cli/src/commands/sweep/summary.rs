@@ -59,7 +59,8 @@ impl Counts {
         line + &format!(", {}", duration(Duration::from_secs_f64(total)))
     }
 
-    /// A message for each way to end badly, with the first sheet that did. `divergence` is that of the first that diverged.
+    /// A message for each way to end badly, with the first sheet that did. `divergence` is the message of the first that
+    /// diverged.
     pub(super) fn complaints(&self, table: &Table, divergence: Option<&str>, advice: &str) -> Vec<String> {
         let all = grouped(table.instances.len() as u64);
         let mut complaints = Vec::new();

@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 mod args;
+mod backend;
 mod commands;
 mod console;
 mod exit;

@@ -1,9 +1,10 @@
 //! From the command line to what the library wants.
 
 use origami::model::Material;
-use origami::solve::{Dynamics, Integrator, Relax, Solver, TimeStep, frame_percents, time_step};
+use origami::solve::{Dynamics, Integrator, Relax, TimeStep, frame_percents, time_step};
 
-use crate::args::{BackendName, FoldArgs, IntegratorName, SolverName, SolvingArgs, SweepArgs};
+use crate::args::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, SolverName, SolvingArgs, SweepArgs};
+use crate::backend::{Backend, Method};
 use crate::numbers::plain;
 
 /// How every input of a run is folded.
@@ -19,7 +20,9 @@ pub(crate) struct Settings {
     /// As on the command line.
     pub(crate) solver_name: SolverName,
     /// What folds.
-    pub(crate) solver: Box<dyn Solver>,
+    pub(crate) method: Method,
+    /// Where.
+    pub(crate) backend: Backend,
     /// Distance from the equilibrium, in radii.
     pub(crate) tolerance: f64,
     /// The rule for the length of a step of dynamics.
@@ -31,10 +34,9 @@ impl Settings {
     /// Those of the arguments.
     ///
     /// # Errors
-    /// What this build cannot do.
+    /// What this build or this machine cannot do.
     pub(crate) fn new(args: &FoldArgs) -> Result<Self, String> {
         let solving = &args.solving;
-        let solver = solver(solving, args.perturbation)?;
         let (time_step, integrator) = (solving.time_step(), solving.integrator());
         Ok(Self {
             frame: args.frame,
@@ -42,7 +44,8 @@ impl Settings {
             animated: args.frames.is_some(),
             material: args.material.material(),
             solver_name: solving.solver,
-            solver,
+            method: method(solving, args.perturbation),
+            backend: backend(solving)?,
             tolerance: solving.tolerance,
             time_step,
             integrator,
@@ -66,26 +69,28 @@ impl Settings {
 }
 
 /// What folds.
-///
-/// # Errors
-/// What this build cannot do.
-pub(crate) fn solver(solving: &SolvingArgs, perturbation: Option<f64>) -> Result<Box<dyn Solver>, String> {
-    if solving.backend == BackendName::Gpu {
-        return Err("--backend gpu: this build has no GPU backend; expected auto or cpu".to_owned());
-    }
+pub(crate) fn method(solving: &SolvingArgs, perturbation: Option<f64>) -> Method {
     let (tolerance, max_steps, steps) = (solving.tolerance, solving.max_steps, solving.steps);
-    Ok(match solving.solver {
+    match solving.solver {
         SolverName::Relax => {
             let mut relax = Relax { tolerance, ramp: solving.ramp, max_steps, steps, ..Relax::default() };
             relax.perturbation = perturbation.unwrap_or(relax.perturbation);
-            Box::new(relax)
+            Method::Relax(relax)
         }
         SolverName::Dynamics => {
             let ramp = solving.ramp.unwrap_or(0);
             let (time_step, integrator) = (solving.time_step(), solving.integrator());
-            Box::new(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps })
+            Method::Dynamics(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps })
         }
-    })
+    }
+}
+
+/// Where.
+///
+/// # Errors
+/// What this build or this machine cannot do.
+pub(crate) fn backend(solving: &SolvingArgs) -> Result<Backend, String> {
+    Backend::new(solving.backend, solving.adapter.as_deref())
 }
 
 /// What may help against divergence.
@@ -130,14 +135,22 @@ fn past_the_angles(percents: &[f64]) -> Vec<String> {
     past.map(|p| format!("--percent {}: folds past the pattern's own angles", plain(*p))).into_iter().collect()
 }
 
-fn without_effect(solving: &SolvingArgs, zeta: bool, perturbation: bool) -> impl Iterator<Item = String> {
+fn without_effect(solving: &SolvingArgs, zeta: bool, perturbation: bool) -> Vec<String> {
     let given = [
         ("--time-step", SolverName::Dynamics, solving.time_step.is_some()),
         ("--integrator", SolverName::Dynamics, solving.integrator.is_some()),
         ("--zeta", SolverName::Dynamics, zeta),
         ("--perturbation", SolverName::Relax, perturbation),
     ];
-    let asked = solving.solver;
-    let given = given.into_iter().filter(move |(_, solver, given)| *given && *solver != asked);
-    given.map(move |(name, ..)| format!("{name} has no effect with --solver {}", asked.name()))
+    let given = given.iter().filter(|(_, solver, given)| *given && *solver != solving.solver);
+    let mut oddities: Vec<String> =
+        given.map(|(name, ..)| format!("{name} has no effect with --solver {}", solving.solver.name())).collect();
+    // What the environment names is meant for other runs.
+    let named = solving.adapter.is_some() && solving.adapter != std::env::var(ADAPTER_VARIABLE).ok();
+    if named && solving.backend == BackendName::Cpu {
+        oddities.push("--adapter has no effect with --backend cpu".to_owned());
+    } else if named && cfg!(not(feature = "gpu")) {
+        oddities.push("--adapter has no effect in a build without the feature `gpu`".to_owned());
+    }
+    oddities
 }

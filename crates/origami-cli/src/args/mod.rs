@@ -1,5 +1,6 @@
 //! The command line, one file a command. Defaults of the simulation come from the library.
 
+mod adapters;
 mod fold;
 mod info;
 mod list;
@@ -8,7 +9,8 @@ mod pattern;
 mod sweep;
 mod values;
 
-pub(crate) use fold::{BackendName, FoldArgs, IntegratorName, SolverName, SolvingArgs};
+pub(crate) use adapters::AdaptersArgs;
+pub(crate) use fold::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, SolverName, SolvingArgs};
 pub(crate) use info::InfoArgs;
 pub(crate) use material::MaterialArgs;
 pub(crate) use pattern::PatternArgs;
@@ -51,6 +53,7 @@ pub(crate) enum Command {
     Sweep(Box<SweepArgs>),
     Info(InfoArgs),
     Pattern(PatternArgs),
+    Adapters(AdaptersArgs),
     /// Write a completion script for a shell to standard output.
     #[command(after_help = "Example:\n  origami completions bash > ~/.local/share/bash-completion/completions/origami")]
     Completions {

@@ -1,5 +1,6 @@
 //! What each command does.
 
+mod adapters;
 mod fold;
 mod info;
 mod pattern;
@@ -19,6 +20,7 @@ pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
         Command::Sweep(args) => sweep::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Pattern(args) => pattern::run(&args),
+        Command::Adapters(args) => adapters::run(&args),
         Command::Completions { shell } => texts::completions(shell),
         Command::Man => texts::man(),
     }

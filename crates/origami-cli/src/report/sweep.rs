@@ -8,7 +8,7 @@ use origami::solve::Point;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::{Divergence, Measured, Scene, Seconds};
+use super::{Adapter, Divergence, Measured, Scene, Seconds};
 
 /// All of sweep.json.
 #[derive(Debug, Serialize)]
@@ -17,8 +17,10 @@ pub(crate) struct Table {
     pub(crate) input: String,
     /// `relax` or `dynamics`.
     pub(crate) solver: &'static str,
-    /// `cpu`.
+    /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,
+    /// The GPU.
+    pub(crate) adapter: Option<Adapter>,
     /// Distance from the equilibrium at which to stop, in radii.
     pub(crate) tolerance: f64,
     /// What was built: materials differ in what they need.

@@ -3,6 +3,7 @@
 
 mod batch;
 mod fold;
+mod gpu;
 mod help;
 mod info;
 mod mutations;

@@ -93,7 +93,7 @@ fn a_row_is_what_fold_says_of_the_same_sheet() {
                 for key in ["vertices", "beams", "creases", "faces", "triangles", "built", "left_out", "warnings"] {
                     assert_eq!(scene[key], alone[key], "{key} of {words}");
                 }
-                for key in ["solver", "backend", "tolerance"] {
+                for key in ["solver", "backend", "adapter", "tolerance"] {
                     assert_eq!(table[key], alone[key], "{key} of {words}");
                 }
                 assert_eq!(rows[index]["strain_mean"], alone["strain"]["mean"].to_string());
@@ -206,7 +206,7 @@ fn what_cannot_be_done_is_refused_before_any_work() {
         ("sweep square.fold -o out --ea 0:10:1", "`0:10:1`: expected a finite number greater than 0"),
         ("sweep square.fold -o out --perturbation 0.1,2", "`2`: expected a number from 0 to 1"),
         ("sweep square.fold -o out --seeds 0", "0 is not in 1..=1000000"),
-        ("sweep square.fold -o out --backend gpu", "this build has no GPU backend"),
+        ("sweep square.fold -o out --backend tpu", "auto, cpu, gpu"),
         ("sweep square.fold -o out --folded png", "png"),
         ("sweep square.fold -o out --folded obj,obj", "obj is named twice"),
         ("sweep square.fold -o out --frames 3", "--frames"),

@@ -59,13 +59,16 @@ fn attempt(
     let model = Model::new(&pattern, &settings.material)?;
     seconds.build = watch.lap();
 
-    let scene = Scene::new(&pattern, &model, &settings.solver.inventory(&model), &pattern.warnings);
-    let solved = fold_path(&model, settings.solver.as_ref(), &settings.percents, observe);
+    let place = settings.backend.place(&settings.method, model.node_count());
+    told.warnings.extend(place.warning);
+    let scene = Scene::new(&pattern, &model, &place.solver.inventory(&model), &pattern.warnings);
+    let solved = fold_path(&model, place.solver.as_ref(), &settings.percents, observe);
     seconds.solve = watch.lap();
     let mut run = Run {
         input: input.to_string(),
         solver: settings.solver_name.name(),
-        backend: "cpu",
+        backend: if place.adapter.is_some() { "gpu" } else { "cpu" },
+        adapter: place.adapter,
         scene,
         tolerance: settings.tolerance,
         measured: Measured::default(),

@@ -45,6 +45,9 @@ pub(super) fn line(run: &Run) -> String {
     if measured.attempts > 1 {
         line += &format!(", the best of {} attempts", measured.attempts);
     }
+    if let Some(adapter) = run.adapter.as_ref().filter(|adapter| adapter.is_software()) {
+        line += &format!(", on {} (software)", adapter.name);
+    }
     let seconds = run.seconds;
     let total = seconds.read + seconds.build + seconds.solve + seconds.write;
     line + &format!(", {}", duration(Duration::from_secs_f64(total)))

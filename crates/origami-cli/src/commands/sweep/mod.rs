@@ -23,7 +23,9 @@ use summary::Counts;
 
 /// Folds all sheets and writes the tables.
 pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
-    let solver = settings::solver(&args.solving, Some(0.0))?;
+    // The perturbation comes with the instances.
+    let method = settings::method(&args.solving, Some(0.0));
+    let backend = settings::backend(&args.solving)?;
     let (sweep, count) = args.sweep()?;
     let input = Input::new(&args.input);
     let folder = Folder::new(&args.output, &args.folded, count, &input)?;
@@ -37,8 +39,9 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let mut seconds = Seconds { read: watch.lap(), ..Seconds::default() };
     let frame = args.frame.map_or_else(|| document.pattern_frame(), Ok).map_err(told)?;
     let pattern = CreasePattern::from_document(&document, frame).map_err(told)?;
+    let place = backend.place(&method, pattern.vertices.len());
     if !args.quiet {
-        pattern.warnings.iter().for_each(console::warning);
+        pattern.warnings.iter().chain(&place.warning).for_each(console::warning);
     }
     seconds.build = watch.lap();
 
@@ -48,7 +51,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         frame,
         pattern: &pattern,
         sweep: &sweep,
-        solver: solver.as_ref(),
+        solver: place.solver.as_ref(),
         folder: &folder,
         line: &line,
     };
@@ -63,7 +66,8 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let mut table = Table {
         input: input.to_string(),
         solver: args.solving.solver.name(),
-        backend: "cpu",
+        backend: if place.adapter.is_some() { "gpu" } else { "cpu" },
+        adapter: place.adapter,
         tolerance: args.solving.tolerance,
         scenes: done.scenes,
         instances: done.rows,

@@ -54,6 +54,9 @@ impl Counts {
         if let (Some(least), Some(most)) = (strains().reduce(f64::min), strains().reduce(f64::max)) {
             line += &format!(", strain mean {} to {}", share(least), share(most));
         }
+        if let Some(adapter) = table.adapter.as_ref().filter(|adapter| adapter.is_software()) {
+            line += &format!(", on {} (software)", adapter.name);
+        }
         let seconds = table.seconds;
         let total = seconds.read + seconds.build + seconds.solve + seconds.write;
         line + &format!(", {}", duration(Duration::from_secs_f64(total)))
@@ -118,6 +121,7 @@ mod tests {
             input: "a.fold".to_owned(),
             solver: "relax",
             backend: "cpu",
+            adapter: None,
             tolerance: 1e-4,
             scenes: Vec::new(),
             instances: endings.iter().enumerate().map(row).collect(),

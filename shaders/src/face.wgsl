@@ -1,0 +1,51 @@
+// A triangle of the sheet and its sides.
+
+struct Face {
+    nodes: array<u32, 3>,
+    // Where the force on each corner is written.
+    slots: array<u32, 3>,
+    // The crease on each side, from corner i to the next, with flags; side i lies opposite to corner i + 2.
+    sides: array<u32, 3>,
+    rest_lengths: array<f32, 3>,
+}
+
+// No other face has the side: its beam is this face's alone.
+const ALONE: u32 = 0x80000000u;
+// This face is the one to the right of its crease.
+const RIGHT: u32 = 0x40000000u;
+const CREASE: u32 = 0x3fffffffu;
+
+@group(0) @binding(4) var<storage, read> faces: array<Face>;
+
+// A side's part of its beam: half, where another face does the other half.
+fn part(side: u32) -> f32 {
+    return select(0.5, 1.0, (side & ALONE) != 0u);
+}
+
+struct Triangle {
+    // Sides 0-1, 1-2 and 2-0.
+    sides: array<vec3<f32>, 3>,
+    squares: vec3<f32>,
+    // At each corner, the product of its two sides.
+    dots: vec3<f32>,
+    // As long as twice the area.
+    normal: vec3<f32>,
+    normal_squared: f32,
+}
+
+fn triangle(instance: u32, f: Face) -> Triangle {
+    let base = instance * NODES;
+    let a = place(base + f.nodes[0]);
+    let b = place(base + f.nodes[1]);
+    let c = place(base + f.nodes[2]);
+    let ab = between(a, b);
+    let bc = between(b, c);
+    let ca = between(c, a);
+    var t: Triangle;
+    t.sides = array<vec3<f32>, 3>(ab, bc, ca);
+    t.squares = vec3<f32>(dot(ab, ab), dot(bc, bc), dot(ca, ca));
+    t.dots = -vec3<f32>(dot(ab, ca), dot(ab, bc), dot(bc, ca));
+    t.normal = cross(ca, ab);
+    t.normal_squared = dot(t.normal, t.normal);
+    return t;
+}

@@ -11,6 +11,7 @@ mod numbers;
 mod progress;
 mod report;
 mod settings;
+mod stopwatch;
 
 use std::process::ExitCode;
 

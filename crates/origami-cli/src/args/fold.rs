@@ -86,6 +86,12 @@ pub(crate) struct FoldArgs {
     #[command(flatten)]
     pub(crate) solving: SolvingArgs,
 
+    /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.003]
+    ///
+    /// A symmetric sheet would else stay on the saddle between two ways to buckle. Larger: saddles are left sooner.
+    #[arg(long, value_name = "X", value_parser = share, help_heading = "Solver")]
+    pub(crate) perturbation: Option<f64>,
+
     /// The paper.
     #[command(flatten)]
     pub(crate) material: MaterialArgs,
@@ -125,12 +131,6 @@ pub(crate) struct SolvingArgs {
     /// shared by the stages]
     #[arg(long, value_name = "N")]
     pub(crate) ramp: Option<u32>,
-
-    /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.003]
-    ///
-    /// A symmetric sheet would else stay on the saddle between two ways to buckle. Larger: saddles are left sooner.
-    #[arg(long, value_name = "X", value_parser = share)]
-    pub(crate) perturbation: Option<f64>,
 
     /// Length of a step of dynamics: `paper`, `safe` or a number [default: paper]
     ///
@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn the_text_tells_the_default_of_perturbation() {
-        let definition = SolvingArgs::augment_args(clap::Command::new("test"));
+        let definition = FoldArgs::augment_args(clap::Command::new("test"));
         let help = definition.get_arguments().find(|a| a.get_id() == "perturbation").and_then(|a| a.get_help());
         let default = format!("[default: {}]", Relax::default().perturbation);
         assert!(help.expect("perturbation has a help text").to_string().ends_with(&default));

@@ -4,6 +4,7 @@ mod adapters;
 mod fold;
 mod info;
 mod pattern;
+mod sweep;
 mod texts;
 
 use crate::args::{Cli, Command};
@@ -16,6 +17,7 @@ use crate::exit::{Exit, Failure};
 pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
     match cli.command {
         Command::Fold(args) => fold::run(&args),
+        Command::Sweep(args) => sweep::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Pattern(args) => pattern::run(&args),
         Command::Adapters(args) => adapters::run(&args),

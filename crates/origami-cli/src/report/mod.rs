@@ -3,10 +3,12 @@
 mod adapter;
 mod measured;
 mod scene;
+mod sweep;
 
 pub(crate) use adapter::{Adapter, AdapterDetails};
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use scene::{Note, Scene};
+pub(crate) use sweep::{Row, Table, Varied, write_csv, write_json};
 
 use origami::solve::{Diverged, Quantity};
 use serde::Serialize;

@@ -11,4 +11,5 @@ mod pattern;
 mod place;
 mod report;
 mod streams;
+mod sweep;
 mod usage;

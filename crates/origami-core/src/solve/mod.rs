@@ -16,6 +16,7 @@ pub mod row_sums;
 mod session;
 pub mod settle;
 mod state;
+mod sweep;
 pub mod time_step;
 
 pub use dynamics::{Dynamics, Integrator};
@@ -26,6 +27,7 @@ pub use path::{PathFailed, fold_path, frame_percents};
 pub use relax::{Relax, default_ramp};
 pub use session::Session;
 pub use state::State;
+pub use sweep::{Point, Sweep};
 pub use time_step::TimeStep;
 
 use glam::DVec3;

@@ -30,7 +30,7 @@ pub(super) fn line(run: &Run) -> String {
     line += match measured.stop {
         Ending::Converged => "converged",
         Ending::StepsDone => "as many as asked",
-        Ending::StepLimit | Ending::Diverged => "not converged",
+        Ending::StepLimit | Ending::Failed | Ending::Diverged => "not converged",
     };
     line += &match measured.distance {
         Some(distance) if distance.is_finite() => format!(" (distance {} of the radius)", short(distance)),

@@ -4,6 +4,9 @@
 mod adapter;
 mod device;
 mod error;
+mod paper;
+#[cfg(test)]
+mod shader_checks;
 mod solver;
 #[cfg(test)]
 mod testing;
@@ -11,4 +14,5 @@ mod testing;
 pub use adapter::{AUTO_NODES, AdapterChoice, AdapterKind, AdapterLimits, AdapterSummary, Lack, adapters};
 pub use device::Gpu;
 pub use error::GpuError;
+pub use paper::PaperDynamics;
 pub use solver::OnGpu;

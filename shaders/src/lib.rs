@@ -76,3 +76,22 @@ shaders! {
     /// Kernel: many evaluations of a relaxation by one workgroup.
     WORKGROUP_RELAX = "workgroup_relax.wgsl";
 }
+
+/// The paper's five passes over displacements from rest: not the fastest, but the plainest. A kernel is [`paper::SHEET`],
+/// [`ANGLE`] and one of the passes.
+pub mod paper {
+    shaders! {
+        /// What the passes share.
+        SHEET = "paper/sheet.wgsl";
+        /// First kernel: normals of the triangles.
+        NORMALS = "paper/normals.wgsl";
+        /// Second kernel: fold angles.
+        FOLD_ANGLES = "paper/fold_angles.wgsl";
+        /// Third kernel: coefficients of the creases' forces.
+        COEFFICIENTS = "paper/coefficients.wgsl";
+        /// Fourth kernel: forces and velocities.
+        FORCES = "paper/forces.wgsl";
+        /// Fifth kernel: positions.
+        POSITIONS = "paper/positions.wgsl";
+    }
+}

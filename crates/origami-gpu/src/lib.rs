@@ -10,10 +10,13 @@ mod error;
 mod inventory;
 mod kernels;
 mod layout;
+mod paper;
 mod pipeline;
 mod relax;
 mod run;
 mod scene;
+#[cfg(test)]
+mod shader_checks;
 mod solver;
 #[cfg(test)]
 mod testing;
@@ -23,4 +26,5 @@ pub use adapter::{AUTO_NODES, AdapterChoice, AdapterKind, AdapterLimits, Adapter
 pub use device::Gpu;
 pub use engine::{Dispatch, WORKGROUP_NODES};
 pub use error::GpuError;
+pub use paper::PaperDynamics;
 pub use solver::OnGpu;

@@ -10,7 +10,8 @@ fn edge(instance: u32, c: u32) {
         return;
     }
     let previous = crease_states[i].angle;
-    let y = sqrt(s.along_squared) * dot(s.normal_two, s.to_one);
+    // As good in thin triangles as in others, since the normals are.
+    let y = dot(s.along, cross(s.normal_two, s.normal_one)) / sqrt(s.along_squared);
     let angle = unwrapped(angle_of(y, dot(s.normal_one, s.normal_two)), previous);
     if (RELAXING && abs(angle - previous) > HOLD) {
         atomicMax(&control[instance].held, 1u);

@@ -42,19 +42,22 @@ fn triangle(instance: u32, f: Face) -> Triangle {
     let a = place(base + f.nodes[0]);
     let b = place(base + f.nodes[1]);
     let c = place(base + f.nodes[2]);
-    let ab = between(a, b);
-    let bc = between(b, c);
-    let ca = between(c, a);
+    let way_ab = between(a, b);
+    let way_bc = between(b, c);
+    let way_ca = between(c, a);
+    let ab = vector(way_ab);
+    let bc = vector(way_bc);
+    let ca = vector(way_ca);
     var t: Triangle;
     t.sides = array<vec3<f32>, 3>(ab, bc, ca);
     t.squares = vec3<f32>(dot(ab, ab), dot(bc, bc), dot(ca, ca));
     t.excess = vec3<f32>(
-        excess(a, b, f.rest_high[0], f.rest_low[0]),
-        excess(b, c, f.rest_high[1], f.rest_low[1]),
-        excess(c, a, f.rest_high[2], f.rest_low[2]),
+        excess(way_ab, f.rest_high[0], f.rest_low[0]),
+        excess(way_bc, f.rest_high[1], f.rest_low[1]),
+        excess(way_ca, f.rest_high[2], f.rest_low[2]),
     );
     t.dots = -vec3<f32>(dot(ab, ca), dot(ab, bc), dot(bc, ca));
-    t.normal = cross(ca, ab);
+    t.normal = cross_product(way_ca, way_ab);
     t.normal_squared = dot(t.normal, t.normal);
     return t;
 }

@@ -15,15 +15,14 @@ struct LooseBeam {
 fn loose_beam(instance: u32, b: u32) {
     let own = loose_beams[b];
     let base = instance * NODES;
-    let start = place(base + own.nodes[0]);
-    let end = place(base + own.nodes[1]);
-    let along = between(start, end);
+    let way = between(place(base + own.nodes[0]), place(base + own.nodes[1]));
+    let along = vector(way);
     let length = sqrt(dot(along, along));
     let rest = rest_length(own.rest_high, own.rest_low);
     let k = select(ea(instance), own.rigidity, own.rigidity > 0.0) / rest;
     var force = vec3<f32>(0.0);
     if (length > 0.0) {
-        let longer = excess(start, end, own.rest_high, own.rest_low);
+        let longer = excess(way, own.rest_high, own.rest_low);
         force = along * (k * longer / ((length + rest) * length));
     }
     if (DAMPED) {

@@ -14,7 +14,7 @@ fn settle(
         let node = instance * NODES + id.x;
         let force = gathered(instance, id.x).xyz;
         let before = windows[node];
-        let moved = between(Place(before.high, before.low), place(node));
+        let moved = vector(between(Place(before.high, before.low), place(node)));
         own = vec4<f32>(
             dot(moved, moved),
             sqrt(dot(force, force)) * nodes[node].softness,

@@ -112,18 +112,30 @@ fn place(node: u32) -> Place {
     return Place(nodes[node].high, nodes[node].low);
 }
 
-fn between(start: Place, end: Place) -> vec3<f32> {
-    return vec3<f32>(end.high - start.high) * QUANTUM + (end.low - start.low);
+// From one place to another, in the same two parts.
+fn between(start: Place, end: Place) -> Place {
+    return Place(end.high - start.high, end.low - start.low);
 }
 
-// By how much the square of a distance exceeds that at rest, which is given as integer times QUANTUM^2 and the rest. What
-// makes forces is this small difference of large squares: their high parts are subtracted as integers.
-fn excess(start: Place, end: Place, rest_high: i32, rest_low: f32) -> f32 {
-    let high = end.high - start.high;
-    let low = end.low - start.low;
-    let whole = high.x * high.x + high.y * high.y + high.z * high.z - rest_high;
-    let mixed = 2.0 * QUANTUM * dot(vec3<f32>(high), low) + dot(low, low);
+fn vector(way: Place) -> vec3<f32> {
+    return vec3<f32>(way.high) * QUANTUM + way.low;
+}
+
+// By how much the square of a way exceeds that at rest, which is given as integer times QUANTUM^2 and the rest. What makes
+// forces is this small difference of large squares: their high parts are subtracted as integers. (They hold up to 11 radii,
+// five times the largest sheet.)
+fn excess(way: Place, rest_high: i32, rest_low: f32) -> f32 {
+    let square = way.high * way.high;
+    let whole = square.x + square.y + square.z - rest_high;
+    let mixed = 2.0 * QUANTUM * dot(vec3<f32>(way.high), way.low) + dot(way.low, way.low);
     return f32(whole) * (QUANTUM * QUANTUM) + (mixed - rest_low);
+}
+
+// The cross product: in a thin triangle it is such a difference too.
+fn cross_product(a: Place, b: Place) -> vec3<f32> {
+    let whole = a.high.yzx * b.high.zxy - a.high.zxy * b.high.yzx;
+    let mixed = cross(vec3<f32>(a.high), b.low) + cross(a.low, vec3<f32>(b.high));
+    return vec3<f32>(whole) * (QUANTUM * QUANTUM) + (mixed * QUANTUM + cross(a.low, b.low));
 }
 
 // The distance at rest.

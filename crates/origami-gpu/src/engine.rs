@@ -140,11 +140,6 @@ impl Engine {
         TICK
     }
 
-    /// Whether one workgroup takes many steps of a sheet.
-    pub(crate) fn by_workgroup(&self) -> bool {
-        self.workgroup.is_some()
-    }
-
     /// Records the steps `from..to`, counted since the start; `from` is a multiple of [`Engine::grain`].
     pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, instances: u32, from: u64, to: u64) {
         let mut record = |passes: &[Pass]| passes.iter().for_each(|p| p.record(pass, instances));

@@ -81,6 +81,29 @@ impl Engine {
         })?
     }
 
+    /// The buffers of one sheet, without any pass.
+    #[cfg(test)]
+    pub(crate) fn bare(gpu: &Gpu, models: &[&Model], motion: Motion) -> Result<Self, GpuError> {
+        let scene = Scene::new(models);
+        let variant = Variant::new(&scene, motion, uniform(models));
+        let buffers = gpu.scoped(|| buffers(gpu, &scene, &variant, 1))??;
+        let none = Vec::new;
+        Ok(Self {
+            gpu: gpu.clone(),
+            safe: false,
+            forces: none(),
+            damped_forces: none(),
+            settling: none(),
+            row_sums: none(),
+            motion: none(),
+            keeping: none(),
+            workgroup: None,
+            variant,
+            buffers,
+            instances: 1,
+        })
+    }
+
     fn with_buffers(
         gpu: &Gpu,
         variant: Variant,
@@ -204,10 +227,12 @@ fn workgroup_variant(scene: &Scene, variant: &Variant, purpose: Purpose) -> Opti
     let most = scene.nodes.max(scene.hinges.len()).max(scene.faces.len());
     #[expect(clippy::cast_possible_truncation, reason = "at most 256")]
     let workgroup = most.next_power_of_two().clamp(32, 256) as u32;
-    let steps = (MOST_ITERATIONS / iterations(scene, workgroup as usize)).min(TICK as usize);
-    #[expect(clippy::cast_possible_truncation, reason = "at most the ticks of a window")]
+    let most = (MOST_ITERATIONS / iterations(scene, workgroup as usize)) as u64;
+    // Whole dispatches make a tick: the stopping rule and the safe step are due at its end.
+    let steps = (1..=TICK.min(most)).rev().find(|steps| TICK.is_multiple_of(*steps))?;
+    #[expect(clippy::cast_possible_truncation, reason = "at most a tick")]
     let steps = steps as u32;
-    (steps > 0).then(|| Variant { workgroup, steps, ..variant.clone() })
+    Some(Variant { workgroup, steps, ..variant.clone() })
 }
 
 /// Loop iterations of one invocation in one step, at most: every loop of the kernel counted as written.

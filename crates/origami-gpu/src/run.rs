@@ -97,7 +97,7 @@ impl Engine {
         }
     }
 
-    fn load(&self, beginnings: &[Beginning<'_>]) -> Result<(), GpuError> {
+    pub(crate) fn load(&self, beginnings: &[Beginning<'_>]) -> Result<(), GpuError> {
         let relaxing = self.variant.relaxing();
         let mut controls = Vec::with_capacity(beginnings.len());
         let mut nodes = Vec::with_capacity(beginnings.len() * self.variant.nodes);
@@ -136,7 +136,7 @@ impl Engine {
         })
     }
 
-    fn write<T: Pod>(&self, binding: Binding, contents: &[T]) {
+    pub(crate) fn write<T: Pod>(&self, binding: Binding, contents: &[T]) {
         if !contents.is_empty() {
             self.gpu.queue().write_buffer(&self.buffers[&binding], 0, bytemuck::cast_slice(contents));
         }

@@ -13,6 +13,6 @@ mod normals;
 mod positions;
 mod sheet;
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 
 pub use dynamics::PaperDynamics;

@@ -6,15 +6,15 @@ use origami_core::solve::{Failed, Folded, Instance, Progress};
 use crate::device::Gpu;
 use crate::engine::{Engine, Purpose, most_instances};
 use crate::scene::same_springs;
-use crate::solver::backend;
+use crate::solver::{Method, backend};
 
-/// Runs all instances by `run`, which takes an engine and those of one run; results in the order of `instances`.
-pub(crate) fn fold_all(
+/// Runs all instances; results in their order.
+pub(crate) fn fold_all<S: Method>(
     gpu: &Gpu,
+    method: &S,
     purpose: Purpose,
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) + Sync),
-    mut run: impl FnMut(&mut Engine, &[Instance<'_>], &mut dyn FnMut(usize, Progress)) -> Vec<Result<Folded, Failed>>,
 ) -> Vec<Result<Folded, Failed>> {
     let mut results: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
     for group in groups(instances) {
@@ -24,7 +24,7 @@ pub(crate) fn fold_all(
         for part in group.chunks(most) {
             let own: Vec<Instance<'_>> = part.iter().map(|i| instances[*i].clone()).collect();
             let came_to = match &mut engine {
-                Ok(engine) => run(engine, &own, &mut |place, progress| observe(part[place], progress)),
+                Ok(engine) => method.run(engine, &own, &mut |place, progress| observe(part[place], progress)),
                 Err(error) => own.iter().map(|i| Err(backend(error.clone(), &i.start, 0))).collect(),
             };
             for (i, result) in part.iter().zip(came_to) {

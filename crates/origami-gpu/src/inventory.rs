@@ -2,13 +2,12 @@
 
 use origami_core::model::{Built, Inventory, LeftOut, Model};
 
-use crate::device::Gpu;
 use crate::engine::{Purpose, is_by_workgroup};
 use crate::scene::Scene;
 use crate::variant::{Motion, Variant};
 
 /// The model's inventory `inventory`, and what the GPU's pipelines add to it.
-pub(crate) fn of(_gpu: &Gpu, model: &Model, mut inventory: Inventory, purpose: Purpose) -> Inventory {
+pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose) -> Inventory {
     let scene = Scene::new(&[model]);
     let variant = Variant::new(&scene, purpose.motion, Some(model.material));
     let mut built = |what, count| inventory.built.push(Built { what, count });

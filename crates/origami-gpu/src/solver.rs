@@ -5,14 +5,16 @@ use std::sync::Arc;
 use glam::DVec3;
 use origami_core::forces::{Forces, damping};
 use origami_core::ids::NodeId;
-use origami_core::model::Model;
-use origami_core::solve::{Diverged, Failed, Folded, Progress, State, Stop};
+use origami_core::model::{Inventory, Model};
+use origami_core::solve::{Diverged, Failed, Folded, Instance, Progress, Session, Solver, State, Stop};
 
 use crate::device::Gpu;
-use crate::engine::Dispatch;
+use crate::engine::{Dispatch, Engine, Purpose};
 use crate::error::GpuError;
 use crate::layout::{Control, NONE, Node, SETTLED, vector};
 use crate::run::Ending;
+use crate::variant::Motion;
+use crate::{ensemble, inventory};
 
 /// A solver of the core that computes on a GPU. The settings are those of the core's solver, and mean the same.
 #[derive(Clone, Debug)]
@@ -33,6 +35,71 @@ impl<S> OnGpu<S> {
     #[must_use]
     pub fn dispatch(self, dispatch: Dispatch) -> Self {
         Self { dispatch, ..self }
+    }
+}
+
+/// What the core's solvers say of themselves, so that a GPU can do as they do.
+pub(crate) trait Method: Solver {
+    /// What an engine for it has to do. `damped`: whether some of the models have damping.
+    fn purpose(&self, damped: bool, dispatch: Dispatch) -> Purpose;
+
+    /// Runs instances, no more than the engine was built for, to their ends; results in their order.
+    fn run(
+        &self,
+        engine: &mut Engine,
+        instances: &[Instance<'_>],
+        observe: &mut dyn FnMut(usize, Progress),
+    ) -> Vec<Result<Folded, Failed>>;
+}
+
+impl<S: Method> Solver for OnGpu<S> {
+    fn fold(
+        &self,
+        model: &Model,
+        start: &State,
+        percent: f64,
+        observe: &mut dyn FnMut(Progress),
+    ) -> Result<Folded, Failed> {
+        self.session(model).fold(start, percent, observe)
+    }
+
+    fn session<'a>(&'a self, model: &'a Model) -> Box<dyn Session + 'a> {
+        let engine = Engine::new(&self.gpu, &[model], purpose(self, [model].into_iter()), 1);
+        Box::new(OneModel { method: &self.method, model, engine })
+    }
+
+    fn fold_all(
+        &self,
+        instances: &[Instance<'_>],
+        observe: &(dyn Fn(usize, Progress) + Sync),
+    ) -> Vec<Result<Folded, Failed>> {
+        let purpose = purpose(self, instances.iter().map(|i| i.model));
+        ensemble::fold_all(&self.gpu, &self.method, purpose, instances, observe)
+    }
+
+    fn inventory(&self, model: &Model) -> Inventory {
+        inventory::of(model, self.method.inventory(model), purpose(self, [model].into_iter()))
+    }
+}
+
+/// What an engine for `models` has to do.
+fn purpose<'m, S: Method>(solver: &OnGpu<S>, mut models: impl Iterator<Item = &'m Model>) -> Purpose {
+    solver.method.purpose(models.any(|m| m.material.zeta > 0.0), solver.dispatch)
+}
+
+/// The engine of one model stays from one percentage to the next.
+struct OneModel<'a, S> {
+    method: &'a S,
+    model: &'a Model,
+    engine: Result<Engine, GpuError>,
+}
+
+impl<S: Method> Session for OneModel<'_, S> {
+    fn fold(&mut self, start: &State, percent: f64, observe: &mut dyn FnMut(Progress)) -> Result<Folded, Failed> {
+        let engine = self.engine.as_mut().map_err(|error| backend(error.clone(), start, 0))?;
+        let instance = Instance { model: self.model, start: start.clone(), percent };
+        let mut results = self.method.run(engine, &[instance], &mut |_, progress| observe(progress));
+        results.pop().expect("one result for one instance")
     }
 }
 
@@ -70,7 +137,7 @@ pub(crate) fn folded(
     let control = &ending.control;
     let time_step = f64::from(match motion {
         Motion::Relax => control.fire_step,
-        Motion::Euler | Motion::Verlet => control.time_step,
+        Motion::Dynamics { .. } => control.time_step,
     });
     let angles = ending.creases.iter().map(|c| f64::from(c.angle)).collect();
     let mut state = State {
@@ -88,9 +155,8 @@ pub(crate) fn folded(
     let residual = values.iter().map(|f| f.length()).fold(0.0, f64::max);
     match motion {
         Motion::Relax => state.velocities.fill(DVec3::ZERO),
-        Motion::Euler => {}
-        Motion::Verlet if control.step == 0 => {}
-        Motion::Verlet => {
+        Motion::Dynamics { verlet, .. } if !verlet || control.step == 0 => {}
+        Motion::Dynamics { .. } => {
             // The velocity that was stored is the one extrapolated by the acceleration before.
             damping::add(model, &state.velocities, values);
             for ((v, f), node) in state.velocities.iter_mut().zip(values).zip(&ending.nodes) {
@@ -105,14 +171,6 @@ pub(crate) fn folded(
     };
     let steps = u64::from(control.step);
     Ok(Folded { state, percent, stop, steps, time_step, residual, distance: distance(control), attempts: 1 })
-}
-
-/// What moved the nodes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Motion {
-    Relax,
-    Euler,
-    Verlet,
 }
 
 fn diverged(model: &Model, ending: &Ending, state: &State, time_step: f64) -> Diverged {

@@ -39,7 +39,8 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let mut seconds = Seconds { read: watch.lap(), ..Seconds::default() };
     let frame = args.frame.map_or_else(|| document.pattern_frame(), Ok).map_err(told)?;
     let pattern = CreasePattern::from_document(&document, frame).map_err(told)?;
-    let place = backend.place(&method, pattern.vertices.len());
+    // A GPU is filled by all sheets together.
+    let place = backend.place(&method, pattern.vertices.len().saturating_mul(count));
     if !args.quiet {
         pattern.warnings.iter().chain(&place.warning).for_each(console::warning);
     }

@@ -326,3 +326,95 @@ pub(crate) fn most_instances(gpu: &Gpu, models: &[&Model], motion: Motion) -> us
     let most = fits.map(|(_, each, once)| allowed.saturating_sub(once) / each).min().unwrap_or(1);
     usize::try_from(most.clamp(1, 65_535)).unwrap_or(1)
 }
+
+#[cfg(test)]
+mod tests {
+    use origami_core::Material;
+    use origami_core::generate::Miura;
+
+    use super::*;
+    use crate::paper::testing::miura;
+    use crate::testing::bench::EULER;
+    use crate::testing::{gpu, sheets};
+
+    const BY_WORKGROUP: Purpose = Purpose { motion: EULER, safe: true, dispatch: Dispatch::Workgroup };
+
+    fn scene_and_variant(model: &Model) -> (Scene, Variant) {
+        let scene = Scene::new(&[model]);
+        let variant = Variant::new(&scene, EULER, Some(model.material));
+        (scene, variant)
+    }
+
+    #[test]
+    fn loops_in_a_workgroup_stay_below_the_cap_and_make_whole_ticks() {
+        let (mut scene, variant) = scene_and_variant(&miura());
+        let mut steps = Vec::new();
+        for faces in [1, 100, 10_000, 40_000, 100_000, 400_000, 4_000_000] {
+            scene.faces.resize(faces, scene.faces[0]);
+            let Some(built) = workgroup_variant(&scene, &variant, BY_WORKGROUP) else {
+                assert!(iterations(&scene, 256) > MOST_ITERATIONS, "{faces} faces: one step would fit");
+                continue;
+            };
+            let made = built.steps as usize * iterations(&scene, built.workgroup as usize);
+            assert!(made <= MOST_ITERATIONS, "{faces} faces: {made} iterations");
+            assert!(TICK.is_multiple_of(u64::from(built.steps)), "{faces} faces: {} steps", built.steps);
+            steps.push(built.steps);
+        }
+        assert_eq!((steps.first(), steps.is_sorted_by(|a, b| a >= b)), (Some(&20), true), "{steps:?}");
+        assert!(steps.iter().any(|s| (1..20).contains(s)), "some are between: {steps:?}");
+        assert!(steps.len() < 7, "too many faces even for one step");
+    }
+
+    #[test]
+    fn a_workgroup_takes_a_sheet_where_its_buffers_suffice_and_it_is_small() {
+        let is_taken = |model: &Model, dispatch| {
+            let (scene, variant) = scene_and_variant(model);
+            is_by_workgroup(&scene, &variant, Purpose { dispatch, ..BY_WORKGROUP })
+        };
+        let small = miura();
+        assert!(is_taken(&small, Dispatch::Auto) && is_taken(&small, Dispatch::Workgroup));
+        assert!(!is_taken(&small, Dispatch::Passes));
+        assert!(!is_taken(&sheets::loose_beams(), Dispatch::Workgroup), "it would need a ninth buffer");
+        let large = Miura { columns: 20, rows: 20, ..Miura::default() }.pattern().expect("a pattern");
+        let large = Model::new(&large, &Material::default()).expect("a model");
+        assert!(large.node_count() > WORKGROUP_NODES);
+        assert!(!is_taken(&large, Dispatch::Auto) && is_taken(&large, Dispatch::Workgroup));
+    }
+
+    #[test]
+    fn more_elements_than_a_dispatch_counts_are_refused() {
+        let (_, mut variant) = scene_and_variant(&miura());
+        variant.faces = 65_535 * variant.workgroup as usize;
+        assert_eq!(check_counts(&variant), Ok(()));
+        variant.faces += 1;
+        let count = variant.faces as u64;
+        assert_eq!(check_counts(&variant), Err(GpuError::TooManyElements { count, allowed: count - 1 }));
+    }
+
+    #[test]
+    fn buffers_that_the_adapter_does_not_allow_are_refused() {
+        let Some(gpu) = gpu() else { return };
+        let model = miura();
+        let (mut scene, variant) = scene_and_variant(&model);
+        let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
+        // As if it had so many nodes: only what is allowed is ever made.
+        scene.nodes = usize::try_from(allowed).expect("64 bits") / size_of::<Node>() + 1;
+        let refused = buffers(&gpu, &scene, &variant, 1).expect_err("too large");
+        let needed = (scene.nodes * size_of::<Node>()) as u64;
+        assert_eq!(refused, GpuError::TooLarge { what: "the nodes", needed, allowed });
+    }
+
+    #[test]
+    fn as_many_instances_as_fit_and_no_more() {
+        let Some(gpu) = gpu() else { return };
+        let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
+        for model in [miura(), sheets::loose_beams()] {
+            let most = most_instances(&gpu, &[&model], EULER) as u64;
+            let (scene, variant) = scene_and_variant(&model);
+            let largest = |count: u64| sizes(&scene, &variant).iter().map(|s| s.1 * count + s.2).max();
+            assert!(largest(most) <= Some(allowed));
+            assert!(most == 65_535 || largest(most + 1) > Some(allowed));
+            assert!(most >= 1);
+        }
+    }
+}

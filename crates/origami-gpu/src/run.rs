@@ -262,3 +262,28 @@ fn control(beginning: &Beginning<'_>) -> Control {
 fn narrow(x: f64) -> f32 {
     x as f32
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paper::testing::miura;
+    use crate::testing::bench::EULER;
+    use crate::testing::gpu;
+
+    #[test]
+    fn a_kernel_that_was_cut_short_is_noticed() {
+        let Some(gpu) = gpu() else { return };
+        let engine = Engine::bare(&gpu, &[&miura()], EULER).expect("it fits");
+        let at = |step: u32| Control { step, limit: 250, bad_node: NONE, ..Control::default() };
+        assert_eq!(engine.check_steps(&[at(100), at(100)], 100), Ok(()));
+        assert_eq!(engine.check_steps(&[at(250)], 300), Ok(()), "the limit came first");
+        let text = engine.check_steps(&[at(100), at(87)], 100).expect_err("13 are missing").to_string();
+        assert!(text.contains("after 100 steps") && text.contains("made 87"), "{text}");
+        assert!(engine.check_steps(&[at(249)], 300).is_err());
+        // Who has stopped for a reason of its own is not behind.
+        assert_eq!(
+            engine.check_steps(&[Control { stop: 1, ..at(40) }, Control { bad_node: 3, ..at(40) }], 100),
+            Ok(())
+        );
+    }
+}

@@ -87,48 +87,20 @@ mod tests {
         };
         let far = |share: f64| move |node: &mut Node| node.place(glam::DVec3::X * (FARTHEST * share));
         let fast = |share: f64| move |node: &mut Node| node.velocity = [0.0, (LONGEST_MOVE * share) as f32, 0.0];
-        assert_eq!(found(&|_, _| {}), NONE);
-        assert_eq!(
-            found(&|i, n| if i == 4 {
-                far(0.999)(n)
-            }),
-            NONE
-        );
-        assert_eq!(
-            found(&|i, n| if i == 4 {
-                far(1.001)(n)
-            }),
-            4
-        );
-        assert_eq!(
-            found(&|i, n| if i == 4 {
-                fast(0.999)(n)
-            }),
-            NONE
-        );
-        assert_eq!(
-            found(&|i, n| if i == 4 {
-                fast(1.001)(n)
-            }),
-            4
-        );
-        assert_eq!(
-            found(&|i, n| if i == 9 || i == 7 {
-                fast(1e30)(n)
-            }),
-            7
-        );
-        assert_eq!(
-            found(&|i, n| if i >= 2 {
-                n.velocity[2] = f32::NAN
-            }),
-            2
-        );
-        assert_eq!(
-            found(&|i, n| if i == 3 {
-                n.velocity[2] = f32::NEG_INFINITY
-            }),
-            3
-        );
+        let only = |place: usize, change: &dyn Fn(&mut Node)| {
+            found(&|i, node| {
+                if i == place {
+                    change(node);
+                }
+            })
+        };
+        assert_eq!(only(4, &|_| {}), NONE);
+        assert_eq!(only(4, &far(0.999)), NONE);
+        assert_eq!(only(4, &far(1.001)), 4);
+        assert_eq!(only(4, &fast(0.999)), NONE);
+        assert_eq!(only(4, &fast(1.001)), 4);
+        assert_eq!(only(3, &|node| node.velocity[2] = f32::NEG_INFINITY), 3);
+        assert_eq!(only(2, &|node| node.velocity[2] = f32::NAN), 2);
+        assert_eq!(found(&|i, node| node.velocity[0] = if i >= 7 { 1e30 } else { 0.0 }), 7);
     }
 }

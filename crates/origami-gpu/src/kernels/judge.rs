@@ -51,6 +51,10 @@ mod tests {
             ([2e-3, 1e-3, -6.0, -1.0], 12e-3),
             ([0.0, 4e-3, 0.0, 0.0], 4e-3),
             ([2e-3, 4e-3, 1.0, 0.0], 1e30),
+            // Where forces do not feel a move that is far below the tolerance, it is no sign of being far away.
+            ([2e-8, 1e-9, 1.0, 0.0], 2e-8),
+            ([2e-8, 4e-3, 1.0, 0.0], 4e-3),
+            ([2e-7, 1e-9, 1.0, 0.0], 1e30),
         ] {
             let [largest, least, ahead, change] = found;
             write(&bench, largest, least, ahead, change);

@@ -1,0 +1,97 @@
+//! Triangles, ready to be drawn.
+
+use origami_core::glam::DVec3;
+
+use super::{Bounds, Corner, LAYER, Plane};
+use crate::camera::View;
+use crate::picture::Picture;
+use crate::scene::Scene;
+use crate::shade::brightness;
+
+/// A triangle in the picture.
+#[derive(Clone, Debug)]
+pub(super) struct Facet {
+    pub(super) bounds: Bounds,
+    /// Inside where all three are above 0, or 0 where the edge owns its points; gradient of each edge function.
+    pub(super) edges: [Edge; 3],
+    /// Clip depth, layers included.
+    pub(super) depth: Plane,
+    /// Its corners' depths: rounding shall not lead beyond them.
+    pub(super) range: [f64; 2],
+    /// Linear light.
+    pub(super) colour: [f32; 3],
+}
+
+/// `plane` is positive inside; points exactly on the edge belong to it if `owns`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub(super) plane: Plane,
+    pub(super) owns: bool,
+}
+
+impl Edge {
+    #[inline(always)]
+    pub(super) fn holds(&self, x: f64, y: f64) -> bool {
+        let value = self.plane.of(x, y);
+        value > 0.0 || (value == 0.0 && self.owns)
+    }
+
+    fn new(a: Corner, b: Corner) -> Self {
+        let (dx, dy) = (b.x - a.x, b.y - a.y);
+        let plane = Plane { at: a.x * dy - a.y * dx, dx: -dy, dy: dx };
+        // Of two triangles at an edge exactly one owns it: they run along it in opposite directions.
+        Self { plane, owns: dy < 0.0 || (dy == 0.0 && dx > 0.0) }
+    }
+}
+
+/// All triangles; `None` for those that are seen edge-on or lie behind the viewer.
+pub(super) fn facets(picture: &Picture, scene: &Scene, view: &View, corners: &[Option<Corner>]) -> Vec<Option<Facet>> {
+    let sides = [picture.theme.front, picture.theme.back].map(|c| c.linear());
+    let facet = |(i, nodes): (usize, &[u32; 3])| {
+        let [a, b, c] = nodes.map(|n| corners.get(n as usize).copied().flatten());
+        let seen = [a?, b?, c?];
+        let [p, q, r] = nodes.map(|n| DVec3::from_array(scene.positions[n as usize].map(f64::from)));
+        let area =
+            (seen[1].x - seen[0].x) * (seen[2].y - seen[0].y) - (seen[1].y - seen[0].y) * (seen[2].x - seen[0].x);
+        // With y down, what is counterclockwise on the paper has a negative area.
+        let front = area < 0.0;
+        let normal = (q - p).cross(r - p).normalize_or_zero() * if front { 1.0 } else { -1.0 };
+        let light = brightness(normal.to_array().map(|x| x as f32), view.light, view.up, picture.theme.shading);
+        let colour = sides[usize::from(!front)].map(|c| c * light);
+        let lift = scene.layers.get(i).map_or(0.0, |layer| lift(*layer, view));
+        Facet::new(seen, area, lift, colour)
+    };
+    scene.triangles.iter().enumerate().map(facet).collect()
+}
+
+/// How much nearer a triangle of this layer is drawn, in clip depth.
+fn lift(layer: [f32; 3], view: &View) -> f64 {
+    let dot: f32 = layer.iter().zip(view.towards).map(|(a, b)| a * b).sum();
+    let number = layer.iter().map(|x| x * x).sum::<f32>().sqrt();
+    // Seen along the layers none is on top.
+    if dot.abs() < 1e-3 * number { 0.0 } else { f64::from(dot.signum() * number * LAYER * view.depth) }
+}
+
+impl Facet {
+    fn new(seen: [Corner; 3], area: f64, lift: f64, colour: [f32; 3]) -> Option<Self> {
+        if area == 0.0 {
+            return None;
+        }
+        let [a, b, c] = if area > 0.0 { seen } else { [seen[0], seen[2], seen[1]] };
+        let area = area.abs();
+        let (zb, zc) = (b.z - a.z, c.z - a.z);
+        let dx = (zb * (c.y - a.y) - zc * (b.y - a.y)) / area;
+        let dy = (zc * (b.x - a.x) - zb * (c.x - a.x)) / area;
+        let depth = Plane { at: a.z - dx * a.x - dy * a.y - lift, dx, dy };
+        let all = [a, b, c];
+        let least = |of: fn(&Corner) -> f64| all.iter().map(of).fold(f64::INFINITY, f64::min);
+        let most = |of: fn(&Corner) -> f64| all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+        Some(Self {
+            bounds: [least(|p| p.x), least(|p| p.y), most(|p| p.x), most(|p| p.y)],
+            edges: [Edge::new(a, b), Edge::new(b, c), Edge::new(c, a)],
+            depth,
+            range: [least(|p| p.z) - lift, most(|p| p.z) - lift],
+            colour,
+        })
+    }
+}

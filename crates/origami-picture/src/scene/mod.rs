@@ -1,0 +1,50 @@
+//! What a picture shows, for any renderer: plain arrays, indices into them, no colours but the values of a map.
+
+mod build;
+mod chains;
+mod lines;
+
+pub use lines::{Line, LineKind, LineSet};
+
+use origami_core::Error;
+
+/// A sheet in one state.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// By node, in radii of the sheet.
+    pub positions: Vec<[f32; 3]>,
+    /// Nodes of each triangle, counterclockwise seen from the front of the paper.
+    pub triangles: Vec<[u32; 3]>,
+    /// Where layers lie upon each other and depth cannot tell which is on top: the number of each triangle's layer times
+    /// the unit vector along which layers are counted. By triangle; empty where no layers do. Renderers move a triangle
+    /// by [`raster::LAYER`](crate::raster::LAYER) pixels a layer in depth, and nowhere else.
+    pub layers: Vec<[f32; 3]>,
+    /// Creases, borders and what else is drawn as a line.
+    pub lines: Vec<Line>,
+}
+
+impl Scene {
+    /// Whether every index leads somewhere and every position is a finite number.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] naming the first place where that is not so.
+    pub fn check(&self) -> Result<(), Error> {
+        let nodes = self.positions.len();
+        let node = |n: &u32| (*n as usize) < nodes;
+        let wrong = |place: String, problem: &str, expected: String| Err(Error::invalid(place, problem, expected));
+        if let Some(i) = self.positions.iter().position(|p| !p.iter().all(|x| x.is_finite() && x.abs() < 1e18)) {
+            return wrong(format!("position {i}"), "is not a sensible number", "finite coordinates".into());
+        }
+        if let Some(i) = self.triangles.iter().position(|t| !t.iter().all(node)) {
+            return wrong(format!("triangle {i}"), "names a node that is not there", format!("nodes below {nodes}"));
+        }
+        if !self.layers.is_empty() && self.layers.len() != self.triangles.len() {
+            return wrong("layers".into(), "have another length", "one for each triangle, or none".into());
+        }
+        let faces = |l: &Line| l.triangles.iter().flatten().all(|t| (*t as usize) < self.triangles.len());
+        if let Some(i) = self.lines.iter().position(|l| !l.nodes.iter().all(node) || !faces(l)) {
+            return wrong(format!("line {i}"), "names a node or triangle that is not there", "indices in range".into());
+        }
+        Ok(())
+    }
+}

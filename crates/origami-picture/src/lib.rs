@@ -21,6 +21,7 @@
 pub mod camera;
 pub mod colour;
 pub mod image;
+pub mod layers;
 mod picture;
 pub mod raster;
 pub mod scene;

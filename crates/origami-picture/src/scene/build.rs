@@ -4,6 +4,7 @@ use origami_core::glam::DVec3;
 use origami_core::{CreasePattern, Model};
 
 use super::{Line, LineKind, Scene, chains};
+use crate::layers::layers;
 
 impl Scene {
     /// The sheet with its nodes at `positions` (in radii). A position that is missing counts as the one at rest.
@@ -18,11 +19,12 @@ impl Scene {
         scene
     }
 
-    /// The same sheet in another state: all but the positions stays as it is.
+    /// The same sheet in another state: positions and layers change.
     pub fn move_to(&mut self, model: &Model, positions: &[DVec3]) {
         let all = positions.iter().chain(model.rest.iter().skip(positions.len()));
         self.positions.clear();
         self.positions.extend(all.take(model.rest.len()).map(|p| p.to_array().map(|x| x as f32)));
+        self.layers = layers(model, positions);
     }
 }
 

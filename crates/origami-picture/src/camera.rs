@@ -61,6 +61,14 @@ pub struct View {
     pub depth: f32,
 }
 
+impl View {
+    /// How much clip depth changes over a radius at the middle of the sheet.
+    #[must_use]
+    pub fn depth_of_radius(&self) -> f64 {
+        f64::from(self.depth) / f64::from(self.pixel)
+    }
+}
+
 impl Camera {
     /// Names of the directions that have one.
     pub const NAMES: [&str; 4] = ["default", "top", "front", "isometric"];
@@ -191,6 +199,9 @@ impl Camera {
     }
 }
 
+/// Room in depth before and behind the sheet, in sizes of it: for what is moved nearer to be seen.
+const SLACK: f64 = 0.25;
+
 /// Where the camera stands, in its own axes.
 struct Fit {
     /// The point in the middle of the picture.
@@ -212,7 +223,7 @@ impl Fit {
         let least = size.max_element().max(1e-9) * 1e-3;
         let scale = (room[0] / size.x.max(least)).min(room[1] / size.y.max(least));
         let centre = (low + high) * 0.5;
-        let slack = 0.05 * size.max_element().max(1e-9);
+        let slack = SLACK * size.max_element().max(1e-9);
         Self {
             centre: [centre.x, centre.y],
             scale,
@@ -248,7 +259,7 @@ impl Fit {
             }
         }
         let eye = eye(centre);
-        let slack = 0.05 * size;
+        let slack = (SLACK * size).min(0.9 * (eye - high.z));
         Self { centre, scale, eye, near: high.z + slack, far: low.z - slack, perspective: true }
     }
 }

@@ -3,9 +3,9 @@
 use origami_core::Model;
 use origami_core::glam::{DVec2, DVec3};
 
-use super::order::Order;
+use super::order::{Literal, Order};
 use super::overlap::{length_inside, length_shared};
-use super::pairs::{Flat, Pairs};
+use super::pairs::{Flat, PARALLEL, Pairs};
 
 /// Lines nearer than this count as one, in radii; shorter common parts are rounding.
 const MARGIN: f64 = 3e-3;
@@ -22,6 +22,11 @@ struct Joint {
 
 /// Adds all demands to `order`.
 pub(super) fn add(model: &Model, positions: &[DVec3], pairs: &Pairs, order: &mut Order) {
+    for pair in 0..pairs.triangles.len() {
+        if let Some(above) = pairs.clear(pair) {
+            order.demand(Literal { pair, turned: false }, above);
+        }
+    }
     directions(model, pairs, order);
     let joints = joints(model, positions, pairs);
     let corners = |t: u32| {
@@ -58,7 +63,7 @@ fn joints(model: &Model, positions: &[DVec3], pairs: &Pairs) -> Vec<Joint> {
         let ([Some(one), Some(two)], Some(apex)) = (side.triangles, side.apexes[0]) else { continue };
         let [up, up2] = [one, two].map(|t| pairs.up[t.index()]);
         let folded = pairs.between(one.0, two.0).is_some();
-        let flat = pairs.normals[one.index()].dot(pairs.normals[two.index()]) > 0.99;
+        let flat = pairs.normals[one.index()].dot(pairs.normals[two.index()]) > PARALLEL;
         if up == DVec3::ZERO || up != up2 || !(folded || flat) {
             continue;
         }

@@ -1,7 +1,5 @@
 //! Pairs of triangles that lie upon each other.
 
-use std::ops::Range;
-
 use origami_core::Model;
 use origami_core::glam::{DVec2, DVec3};
 
@@ -12,12 +10,21 @@ const NEAR: f64 = 4e-3;
 /// Up to here, in radii, layers are counted together: drawing them apart must not push one through the next.
 const FAR: f64 = 0.08;
 /// Cosine of the angle up to which two triangles count as parallel: 8 degrees.
-const PARALLEL: f64 = 0.99;
+pub(super) const PARALLEL: f64 = 0.99;
 /// An overlap that is narrower than this (in radii, area over perimeter) is rounding.
 const NARROW: f64 = 2e-3;
 /// Comparisons of bounding boxes, and pairs, after which layers are left to their depths.
 const MOST_COMPARISONS: usize = 20_000_000;
 const MOST_PAIRS: usize = 20_000;
+
+/// A point where two triangles lie upon each other.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Contact {
+    /// Barycentric, in the first and the second.
+    pub(super) weights: [[f64; 3]; 2],
+    /// How far the second lies above the first, in radii.
+    pub(super) height: f64,
+}
 
 /// Parallel triangles that lie upon each other.
 pub(super) struct Pairs {
@@ -27,6 +34,8 @@ pub(super) struct Pairs {
     pub(super) up: Vec<DVec3>,
     /// By pair, the smaller first; in order.
     pub(super) triangles: Vec<[u32; 2]>,
+    /// By pair: the corners of what they have in common.
+    pub(super) contacts: Vec<Vec<Contact>>,
     /// By pair: how far the second lies above the first on average, in radii.
     pub(super) heights: Vec<f64>,
     /// By triangle: the other one and the pair; in order.
@@ -44,18 +53,21 @@ impl Pairs {
             (b - a).cross(c - a).normalize_or_zero()
         };
         let normals: Vec<DVec3> = (0..count).map(normal).collect();
-        let mut found: Vec<([u32; 2], f64)> = Vec::new();
+        let mut found: Vec<([u32; 2], Vec<Contact>)> = Vec::new();
         let mut any_near = false;
         for [i, j] in candidates(count, corners)? {
             if normals[i].dot(normals[j]).abs() < PARALLEL {
                 continue;
             }
-            let Some(heights) = heights(normals[i], corners(i), corners(j)) else { continue };
-            if heights.start > FAR || heights.end < -FAR {
+            let contacts = contacts(normals[i], corners(i), corners(j));
+            let least = contacts.iter().map(|c| c.height).fold(f64::INFINITY, f64::min);
+            let most = contacts.iter().map(|c| c.height).fold(f64::NEG_INFINITY, f64::max);
+            // Paper that goes through paper is shown as it is.
+            if contacts.is_empty() || least > FAR || most < -FAR || (least < -NEAR && most > NEAR) {
                 continue;
             }
-            any_near |= heights.start < NEAR && heights.end > -NEAR;
-            found.push(([i as u32, j as u32], 0.5 * (heights.start + heights.end)));
+            any_near |= least < NEAR && most > -NEAR;
+            found.push(([i as u32, j as u32], contacts));
             if found.len() > MOST_PAIRS {
                 return None;
             }
@@ -64,10 +76,10 @@ impl Pairs {
             return None;
         }
         found.sort_unstable_by_key(|(pair, _)| *pair);
-        Some(Self::new(normals, &found))
+        Some(Self::new(normals, found))
     }
 
-    fn new(normals: Vec<DVec3>, found: &[([u32; 2], f64)]) -> Self {
+    fn new(normals: Vec<DVec3>, found: Vec<([u32; 2], Vec<Contact>)>) -> Self {
         let count = normals.len();
         let mut starts = vec![0; count + 1];
         found.iter().flat_map(|(pair, _)| pair).for_each(|t| starts[*t as usize + 1] += 1);
@@ -79,15 +91,27 @@ impl Pairs {
             .collect();
         neighbours.sort_unstable();
         let neighbours = neighbours.into_iter().map(|(_, other, pair)| (other, pair)).collect();
-        let triangles: Vec<[u32; 2]> = found.iter().map(|(pair, _)| *pair).collect();
-        let mut pairs =
-            Self { up: vec![DVec3::ZERO; count], normals, triangles, heights: Vec::new(), neighbours, starts };
+        let (triangles, contacts) = found.into_iter().unzip();
+        let up = vec![DVec3::ZERO; count];
+        let mut pairs = Self { up, normals, triangles, contacts, heights: Vec::new(), neighbours, starts };
         pairs.choose_directions();
-        let height = |([i, _], height): &([u32; 2], f64)| {
-            height * pairs.normals[*i as usize].dot(pairs.up[*i as usize]).signum()
-        };
-        pairs.heights = found.iter().map(height).collect();
+        for ([i, _], contacts) in pairs.triangles.iter().zip(&mut pairs.contacts) {
+            let turn = pairs.normals[*i as usize].dot(pairs.up[*i as usize]).signum();
+            contacts.iter_mut().for_each(|contact| contact.height *= turn);
+            let sum: f64 = contacts.iter().map(|contact| contact.height).sum();
+            pairs.heights.push(sum / contacts.len() as f64);
+        }
         pairs
+    }
+
+    /// Whether the second of a pair lies above the first where depth tells.
+    pub(super) fn clear(&self, pair: usize) -> Option<bool> {
+        let all = |tells: fn(&Contact) -> bool| self.contacts[pair].iter().all(tells);
+        if all(|contact| contact.height > NEAR) {
+            Some(true)
+        } else {
+            all(|contact| contact.height < -NEAR).then_some(false)
+        }
     }
 
     /// The triangles that lie upon this one, each with their pair.
@@ -124,22 +148,30 @@ impl Pairs {
     }
 }
 
-/// The least and the largest height of the second triangle over the first, where they have anything in common.
-fn heights(normal: DVec3, first: [DVec3; 3], second: [DVec3; 3]) -> Option<Range<f64>> {
+/// The corners of what two triangles have in common, with the heights of the second over the first along `normal`; none
+/// if that is too narrow to tell.
+fn contacts(normal: DVec3, first: [DVec3; 3], second: [DVec3; 3]) -> Vec<Contact> {
     let flat = Flat::new(normal);
     let [a, b] = [first, second].map(|corners| corners.map(|p| flat.of(p)));
     let common = overlap(&a, &b);
     if common.len() < 3 || width(&common) < NARROW.min(0.1 * width(&a).min(width(&b))) {
-        return None;
+        return Vec::new();
     }
-    let other = (second[1] - second[0]).cross(second[2] - second[0]);
-    let slope = other.dot(normal);
-    let height = |p: &DVec2| {
-        let on_first = flat.back(*p) + normal * normal.dot(first[0]);
-        other.dot(second[0] - on_first) / slope
+    let height =
+        |corners: [DVec3; 3], weights: [f64; 3]| (0..3).map(|k| weights[k] * corners[k].dot(normal)).sum::<f64>();
+    let contact = |p: &DVec2| {
+        let weights = [barycentric(&a, *p), barycentric(&b, *p)];
+        Contact { weights, height: height(second, weights[1]) - height(first, weights[0]) }
     };
-    let all = common.iter().map(height);
-    Some(all.clone().fold(f64::INFINITY, f64::min)..all.fold(f64::NEG_INFINITY, f64::max))
+    common.iter().map(contact).collect()
+}
+
+fn barycentric(triangle: &[DVec2; 3], p: DVec2) -> [f64; 3] {
+    let area = |a: DVec2, b: DVec2| (a - p).perp_dot(b - p);
+    let [a, b, c] = *triangle;
+    let parts = [area(b, c), area(c, a), area(a, b)];
+    let whole: f64 = parts.iter().sum();
+    parts.map(|part| (part / whole).clamp(0.0, 1.0))
 }
 
 /// A plane through the origin, with coordinates.
@@ -155,10 +187,6 @@ impl Flat {
 
     pub(super) fn of(&self, p: DVec3) -> DVec2 {
         DVec2::new(p.dot(self.axes[0]), p.dot(self.axes[1]))
-    }
-
-    fn back(&self, p: DVec2) -> DVec3 {
-        self.axes[0] * p.x + self.axes[1] * p.y
     }
 }
 

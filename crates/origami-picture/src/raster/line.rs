@@ -1,7 +1,7 @@
 //! Lines, ready to be drawn: round at their ends, so that joints are round too.
 //!
 //! A line lies on paper, and would be half swallowed by it where the paper slopes. So each of its points takes the depth
-//! of its own faces there, [`BIAS`] pixels nearer: just enough to win against them, and too little to win against a layer
+//! of its own faces there, [`BIAS`] nearer: just enough to win against them, and too little to win against a layer
 //! in front.
 
 use super::{BIAS, Bounds, Corner, Facet, Plane};
@@ -96,7 +96,7 @@ pub(super) fn strokes(
             let faces = line.triangles.map(|t| facets.get(t? as usize)?.as_ref().map(|f| f.depth));
             // The nearest of its faces at each end: layers are a part of their depths, not of the nodes'.
             let at_end = |p: Corner| faces.iter().flatten().map(|f| f.of(p.x, p.y)).fold(p.z, f64::min);
-            let at_end = |p: Corner| at_end(p).max(p.z - 1e3 * depth);
+            let at_end = |p: Corner| at_end(p).max(p.z - view.depth_of_radius());
             let along = [b.x - a.x, b.y - a.y];
             let squared = along[0] * along[0] + along[1] * along[1];
             strokes.push(Stroke {
@@ -107,7 +107,7 @@ pub(super) fn strokes(
                 half,
                 depths: [at_end(a), at_end(b)],
                 faces,
-                bias: (f64::from(BIAS) + 0.05 * rank as f64) * depth,
+                bias: BIAS * (1.0 + 0.05 * rank as f64) * view.depth_of_radius(),
                 steep: STEEP * half * depth,
                 dashes: style.dash.and_then(|dash| Dashes::new(&dash, line.along, pixel * f64::from(scale))),
                 colour: style.colour.linear(),

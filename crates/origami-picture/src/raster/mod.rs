@@ -13,17 +13,16 @@ use rayon::prelude::*;
 
 use crate::camera::View;
 use crate::image::Image;
+use crate::layers::LAYER;
 use crate::picture::Picture;
 use crate::scene::Scene;
 use line::Stroke;
 use tile::{SIZE, Tile};
 use triangle::Facet;
 
-/// How far apart layers are drawn that lie upon each other, in pixels of depth. More than [`BIAS`], so that lines of a
-/// layer below stay hidden.
-pub const LAYER: f32 = 3.0;
-/// How far lines lie before the paper that they are drawn on, in pixels of depth.
-pub const BIAS: f32 = 1.0;
+/// How far lines lie before the paper that they are drawn on, in radii: less than a layer, so that lines of the layer
+/// below stay hidden.
+pub const BIAS: f64 = 0.3 * LAYER;
 
 /// Draws `scene` as `view` shows it.
 pub(crate) fn draw(picture: &Picture, scene: &Scene, view: &View) -> Result<Image, Error> {

@@ -2,8 +2,9 @@
 
 use origami_core::glam::DVec3;
 
-use super::{Bounds, Corner, LAYER, Plane};
+use super::{Bounds, Corner, Plane};
 use crate::camera::View;
+use crate::layers::Layer;
 use crate::picture::Picture;
 use crate::scene::Scene;
 use crate::shade::brightness;
@@ -58,22 +59,23 @@ pub(super) fn facets(picture: &Picture, scene: &Scene, view: &View, corners: &[O
         let normal = (q - p).cross(r - p).normalize_or_zero() * if front { 1.0 } else { -1.0 };
         let light = brightness(normal.to_array().map(|x| x as f32), view.light, view.up, picture.theme.shading);
         let colour = sides[usize::from(!front)].map(|c| c * light);
-        let lift = scene.layers.get(i).map_or(0.0, |layer| lift(*layer, view));
-        Facet::new(seen, area, lift, colour)
+        let lift = scene.layers.get(i).map_or([0.0; 3], |layer| lift(layer, view));
+        let seen = [0, 1, 2].map(|k| Corner { z: seen[k].z - lift[k], ..seen[k] });
+        Facet::new(seen, area, colour)
     };
     scene.triangles.iter().enumerate().map(facet).collect()
 }
 
-/// How much nearer a triangle of this layer is drawn, in clip depth.
-fn lift(layer: [f32; 3], view: &View) -> f64 {
-    let dot: f32 = layer.iter().zip(view.towards).map(|(a, b)| a * b).sum();
-    let number = layer.iter().map(|x| x * x).sum::<f32>().sqrt();
-    // Seen along the layers none is on top.
-    if dot.abs() < 1e-3 * number { 0.0 } else { f64::from(dot.signum() * number * LAYER * view.depth) }
+/// How much nearer each corner of a triangle is drawn, in clip depth.
+fn lift(layer: &Layer, view: &View) -> [f64; 3] {
+    let dot: f32 = layer.up.iter().zip(view.towards).map(|(a, b)| a * b).sum();
+    // Layers are as far apart as ever when they are seen from the side, but for those that show nothing but edges.
+    let turn = if dot.abs() < 1e-3 { 0.0 } else { dot.signum() };
+    layer.heights.map(|height| f64::from(height * turn) * view.depth_of_radius())
 }
 
 impl Facet {
-    fn new(seen: [Corner; 3], area: f64, lift: f64, colour: [f32; 3]) -> Option<Self> {
+    fn new(seen: [Corner; 3], area: f64, colour: [f32; 3]) -> Option<Self> {
         if area == 0.0 {
             return None;
         }
@@ -82,7 +84,7 @@ impl Facet {
         let (zb, zc) = (b.z - a.z, c.z - a.z);
         let dx = (zb * (c.y - a.y) - zc * (b.y - a.y)) / area;
         let dy = (zc * (b.x - a.x) - zb * (c.x - a.x)) / area;
-        let depth = Plane { at: a.z - dx * a.x - dy * a.y - lift, dx, dy };
+        let depth = Plane { at: a.z - dx * a.x - dy * a.y, dx, dy };
         let all = [a, b, c];
         let least = |of: fn(&Corner) -> f64| all.iter().map(of).fold(f64::INFINITY, f64::min);
         let most = |of: fn(&Corner) -> f64| all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
@@ -90,7 +92,7 @@ impl Facet {
             bounds: [least(|p| p.x), least(|p| p.y), most(|p| p.x), most(|p| p.y)],
             edges: [Edge::new(a, b), Edge::new(b, c), Edge::new(c, a)],
             depth,
-            range: [least(|p| p.z) - lift, most(|p| p.z) - lift],
+            range: [least(|p| p.z), most(|p| p.z)],
             colour,
         })
     }

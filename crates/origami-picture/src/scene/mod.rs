@@ -8,6 +8,8 @@ pub use lines::{Line, LineKind, LineSet};
 
 use origami_core::Error;
 
+use crate::layers::Layer;
+
 /// A sheet in one state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
@@ -15,10 +17,9 @@ pub struct Scene {
     pub positions: Vec<[f32; 3]>,
     /// Nodes of each triangle, counterclockwise seen from the front of the paper.
     pub triangles: Vec<[u32; 3]>,
-    /// Where layers lie upon each other and depth cannot tell which is on top: the number of each triangle's layer times
-    /// the unit vector along which layers are counted. By triangle; empty where no layers do. Renderers move a triangle
-    /// by [`raster::LAYER`](crate::raster::LAYER) pixels a layer in depth, and nowhere else.
-    pub layers: Vec<[f32; 3]>,
+    /// Where layers lie upon each other and depth cannot tell which is on top: how each triangle is moved in depth, and
+    /// nowhere else. Empty where no layers do.
+    pub layers: Vec<Layer>,
     /// Creases, borders and what else is drawn as a line.
     pub lines: Vec<Line>,
 }

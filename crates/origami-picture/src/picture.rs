@@ -4,8 +4,10 @@ use origami_core::Error;
 
 use crate::camera::{Camera, Frame, View};
 use crate::image::Image;
+use crate::legend::{Legend, text_size};
 use crate::raster;
 use crate::scene::{LineSet, Scene};
+use crate::text;
 use crate::theme::Theme;
 
 /// How a scene is to be drawn.
@@ -25,6 +27,10 @@ pub struct Picture {
     pub edges: LineSet,
     /// How much wider or thinner lines are than the theme has them. Default 1.
     pub line_width: f32,
+    /// Whether a scene with a map has its colour bar beside it. Default true.
+    pub legend: bool,
+    /// A line of text below the sheet. Default: none.
+    pub caption: String,
 }
 
 impl Default for Picture {
@@ -37,6 +43,8 @@ impl Default for Picture {
             theme: Theme::default(),
             edges: LineSet::default(),
             line_width: 1.0,
+            legend: true,
+            caption: String::new(),
         }
     }
 }
@@ -47,18 +55,24 @@ impl Picture {
     /// # Errors
     /// [`Error::Invalid`] for a size, camera or scene that makes no sense.
     pub fn draw(&self, scene: &Scene) -> Result<Image, Error> {
-        let view = self.view(scene.positions.iter().copied())?;
+        let view = self.view(scene, scene.positions.iter().copied())?;
         self.draw_from(scene, &view)
     }
 
-    /// The view in which `points` fill the picture; for the frames of an animation, the points of all of them.
+    /// The view in which `points` fill the picture, beside the colour bar if the scene has a map. For the frames of an
+    /// animation: the points of all of them.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a size or camera that makes no sense.
-    pub fn view(&self, points: impl Iterator<Item = [f32; 3]>) -> Result<View, Error> {
-        let margin = 0.05 * f64::from(self.width.min(self.height));
-        let frame = Frame { width: self.width, height: self.height, margins: [margin; 4] };
-        self.camera.view(points, &frame)
+    pub fn view(&self, scene: &Scene, points: impl Iterator<Item = [f32; 3]>) -> Result<View, Error> {
+        let mut margins = [0.05 * f64::from(self.width.min(self.height)); 4];
+        if let Some(legend) = self.legend_of(scene) {
+            margins[2] = f64::from(legend.width);
+        }
+        if !self.caption.is_empty() {
+            margins[3] += 1.5 * f64::from(text_size(self.width, self.height));
+        }
+        self.camera.view(points, &Frame { width: self.width, height: self.height, margins })
     }
 
     /// Draws the scene as this view shows it.
@@ -66,7 +80,26 @@ impl Picture {
     /// # Errors
     /// [`Error::Invalid`] for a size or scene that makes no sense.
     pub fn draw_from(&self, scene: &Scene, view: &View) -> Result<Image, Error> {
-        raster::draw(self, scene, view)
+        let mut image = raster::draw(self, scene, view)?;
+        self.annotate(scene, &mut image);
+        Ok(image)
+    }
+
+    /// Adds the colour bar and the caption: what lies in the plane of the picture, whoever has drawn the sheet.
+    pub fn annotate(&self, scene: &Scene, image: &mut Image) {
+        if let Some(legend) = self.legend_of(scene) {
+            legend.draw(image, &self.theme);
+        }
+        if !self.caption.is_empty() {
+            let size = text_size(self.width, self.height);
+            let left = 0.5 * (self.width as f32 - text::width(&self.caption, size));
+            text::draw(image, &self.caption, [left, self.height as f32 - 1.1 * size], size, self.theme.text);
+        }
+    }
+
+    fn legend_of(&self, scene: &Scene) -> Option<Legend> {
+        let map = scene.map.as_ref().filter(|_| self.legend)?;
+        Some(Legend::new(&map.scale, self.width, self.height))
     }
 
     /// Width of a line of the theme's width 1, in pixels.

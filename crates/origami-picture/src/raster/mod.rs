@@ -34,6 +34,7 @@ pub(crate) fn draw(picture: &Picture, scene: &Scene, view: &View) -> Result<Imag
     let facets: Vec<Option<Facet>> = triangle::facets(picture, scene, view, &corners);
     let strokes: Vec<Stroke> = line::strokes(picture, scene, view, &corners, &facets);
 
+    let table = scene.map.as_ref().map_or_else(Vec::new, |map| map.scale.colours.table());
     let columns = (picture.width as usize).div_ceil(SIZE);
     let rows = (picture.height as usize).div_ceil(SIZE);
     let facets_at = Bins::new(columns, rows, facets.iter().map(|f| f.as_ref().map(|f| f.bounds)));
@@ -45,7 +46,7 @@ pub(crate) fn draw(picture: &Picture, scene: &Scene, view: &View) -> Result<Imag
             tile.clear(column, row);
             for f in facets_at.of(column, row) {
                 if let Some(Some(facet)) = facets.get(*f as usize) {
-                    tile.facet(facet);
+                    tile.facet(facet, &table);
                 }
             }
             for s in strokes_at.of(column, row) {

@@ -50,7 +50,7 @@ impl Tile {
             .flat_map(move |y| across.clone().map(move |x| (x0 + x as f64, y0 + y as f64, (y * SIZE + x) * samples)))
     }
 
-    pub(super) fn facet(&mut self, facet: &Facet) {
+    pub(super) fn facet(&mut self, facet: &Facet, table: &[[f32; 3]]) {
         let pattern = self.pattern;
         for (x, y, first) in self.pixels(facet.bounds) {
             // The farthest corner of the pixel is outside of one edge: so are all its samples.
@@ -61,11 +61,19 @@ impl Tile {
             if outside {
                 continue;
             }
+            let colour = match &facet.shares {
+                Some(shares) => {
+                    let place = shares.of(x + 0.5, y + 0.5) * table.len().saturating_sub(1) as f64;
+                    let light = table.get((place + 0.5) as usize).copied().unwrap_or_default();
+                    [0, 1, 2].map(|c| light[c] * facet.colour[c])
+                }
+                None => facet.colour,
+            };
             for (i, [dx, dy]) in pattern.iter().enumerate() {
                 let (sx, sy) = (x + dx, y + dy);
                 if facet.edges.iter().all(|edge| edge.holds(sx, sy)) {
                     let depth = facet.depth.of(sx, sy).clamp(facet.range[0], facet.range[1]);
-                    self.put(first + i, depth as f32, facet.colour);
+                    self.put(first + i, depth as f32, colour);
                 }
             }
         }

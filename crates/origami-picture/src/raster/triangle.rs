@@ -5,6 +5,7 @@ use origami_core::glam::DVec3;
 use super::{Bounds, Corner, Plane};
 use crate::camera::View;
 use crate::layers::Layer;
+use crate::map::Values;
 use crate::picture::Picture;
 use crate::scene::Scene;
 use crate::shade::brightness;
@@ -21,6 +22,22 @@ pub(super) struct Facet {
     pub(super) range: [f64; 2],
     /// Linear light.
     pub(super) colour: [f32; 3],
+    /// Where colours follow values at the corners.
+    pub(super) shares: Option<Shares>,
+}
+
+/// Shares of the colour map over a triangle: over w, so that perspective does not bend them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shares {
+    over_w: Plane,
+    inverse_w: Plane,
+}
+
+impl Shares {
+    /// The share at a point of the picture, 0 to 1.
+    pub(super) fn of(&self, x: f64, y: f64) -> f64 {
+        (self.over_w.of(x, y) / self.inverse_w.of(x, y)).clamp(0.0, 1.0)
+    }
 }
 
 /// `plane` is positive inside; points exactly on the edge belong to it if `owns`.
@@ -45,9 +62,13 @@ impl Edge {
     }
 }
 
+/// How much of the paper's shading is left under a map: enough to see the folds, too little to change what colours say.
+const UNDER_MAP: f32 = 0.35;
+
 /// All triangles; `None` for those that are seen edge-on or lie behind the viewer.
 pub(super) fn facets(picture: &Picture, scene: &Scene, view: &View, corners: &[Option<Corner>]) -> Vec<Option<Facet>> {
     let sides = [picture.theme.front, picture.theme.back].map(|c| c.linear());
+    let strength = picture.theme.shading * if scene.map.is_some() { UNDER_MAP } else { 1.0 };
     let facet = |(i, nodes): (usize, &[u32; 3])| {
         let [a, b, c] = nodes.map(|n| corners.get(n as usize).copied().flatten());
         let seen = [a?, b?, c?];
@@ -57,13 +78,36 @@ pub(super) fn facets(picture: &Picture, scene: &Scene, view: &View, corners: &[O
         // With y down, what is counterclockwise on the paper has a negative area.
         let front = area < 0.0;
         let normal = (q - p).cross(r - p).normalize_or_zero() * if front { 1.0 } else { -1.0 };
-        let light = brightness(normal.to_array().map(|x| x as f32), view.light, view.up, picture.theme.shading);
-        let colour = sides[usize::from(!front)].map(|c| c * light);
+        let light = brightness(normal.to_array().map(|x| x as f32), view.light, view.up, strength);
         let lift = scene.layers.get(i).map_or([0.0; 3], |layer| lift(layer, view));
         let seen = [0, 1, 2].map(|k| Corner { z: seen[k].z - lift[k], ..seen[k] });
-        Facet::new(seen, area, colour)
+        let mut facet = Facet::new(seen, area, sides[usize::from(!front)])?;
+        match scene.map.as_ref().map(|map| (&map.values, &map.scale)) {
+            Some((Values::Triangles(values), scale)) => {
+                facet.colour = scale.colours.colour(f64::from(scale.share(values[i]))).linear();
+            }
+            Some((Values::Nodes(values), scale)) => {
+                facet.colour = [1.0; 3];
+                let shares = nodes.map(|n| f64::from(scale.share(values[n as usize])));
+                facet.shares = Some(Shares {
+                    over_w: plane(&seen, area, [0, 1, 2].map(|k| shares[k] * seen[k].inverse_w)),
+                    inverse_w: plane(&seen, area, seen.map(|p| p.inverse_w)),
+                });
+            }
+            None => {}
+        }
+        facet.colour = facet.colour.map(|c| c * light);
+        Some(facet)
     };
     scene.triangles.iter().enumerate().map(facet).collect()
+}
+
+/// The plane that has these values at the corners of a triangle with this doubled area.
+fn plane([a, b, c]: &[Corner; 3], area: f64, values: [f64; 3]) -> Plane {
+    let (to_b, to_c) = (values[1] - values[0], values[2] - values[0]);
+    let dx = (to_b * (c.y - a.y) - to_c * (b.y - a.y)) / area;
+    let dy = (to_c * (b.x - a.x) - to_b * (c.x - a.x)) / area;
+    Plane { at: values[0] - dx * a.x - dy * a.y, dx, dy }
 }
 
 /// How much nearer each corner of a triangle is drawn, in clip depth.
@@ -80,11 +124,7 @@ impl Facet {
             return None;
         }
         let [a, b, c] = if area > 0.0 { seen } else { [seen[0], seen[2], seen[1]] };
-        let area = area.abs();
-        let (zb, zc) = (b.z - a.z, c.z - a.z);
-        let dx = (zb * (c.y - a.y) - zc * (b.y - a.y)) / area;
-        let dy = (zc * (b.x - a.x) - zb * (c.x - a.x)) / area;
-        let depth = Plane { at: a.z - dx * a.x - dy * a.y, dx, dy };
+        let depth = plane(&seen, area, seen.map(|p| p.z));
         let all = [a, b, c];
         let least = |of: fn(&Corner) -> f64| all.iter().map(of).fold(f64::INFINITY, f64::min);
         let most = |of: fn(&Corner) -> f64| all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
@@ -94,6 +134,7 @@ impl Facet {
             depth,
             range: [least(|p| p.z), most(|p| p.z)],
             colour,
+            shares: None,
         })
     }
 }

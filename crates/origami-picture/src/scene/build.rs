@@ -5,6 +5,7 @@ use origami_core::{CreasePattern, Model};
 
 use super::{Line, LineKind, Scene, chains};
 use crate::layers::layers;
+use crate::map::Map;
 
 impl Scene {
     /// The sheet with its nodes at `positions` (in radii). A position that is missing counts as the one at rest.
@@ -25,6 +26,14 @@ impl Scene {
         self.positions.clear();
         self.positions.extend(all.take(model.rest.len()).map(|p| p.to_array().map(|x| x as f32)));
         self.layers = layers(model, positions);
+    }
+}
+
+impl Scene {
+    /// The same scene with values in place of the paper's colours.
+    #[must_use]
+    pub fn with_map(self, map: Map) -> Self {
+        Self { map: Some(map), ..self }
     }
 }
 

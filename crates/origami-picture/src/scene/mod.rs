@@ -9,6 +9,7 @@ pub use lines::{Line, LineKind, LineSet};
 use origami_core::Error;
 
 use crate::layers::Layer;
+use crate::map::{Map, Values};
 
 /// A sheet in one state.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -22,6 +23,8 @@ pub struct Scene {
     pub layers: Vec<Layer>,
     /// Creases, borders and what else is drawn as a line.
     pub lines: Vec<Line>,
+    /// Values that are shown as colours in place of the paper's own.
+    pub map: Option<Map>,
 }
 
 impl Scene {
@@ -46,6 +49,15 @@ impl Scene {
         if let Some(i) = self.lines.iter().position(|l| !l.nodes.iter().all(node) || !faces(l)) {
             return wrong(format!("line {i}"), "names a node or triangle that is not there", "indices in range".into());
         }
-        Ok(())
+        let values = self.map.as_ref().map(|map| match &map.values {
+            Values::Nodes(values) => (values.len(), nodes),
+            Values::Triangles(values) => (values.len(), self.triangles.len()),
+        });
+        match values {
+            Some((is, should)) if is != should => {
+                wrong("map".into(), &format!("has {is} values"), format!("{should}, one for each node or triangle"))
+            }
+            _ => Ok(()),
+        }
     }
 }

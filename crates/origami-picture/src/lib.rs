@@ -18,23 +18,28 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod animation;
 pub mod camera;
 pub mod colour;
 pub mod image;
 pub mod layers;
 mod legend;
 pub mod map;
+pub mod pattern;
 mod picture;
 pub mod raster;
 pub mod scene;
 pub mod shade;
+mod sheet;
 pub mod text;
 pub mod theme;
 
+pub use animation::{Animation, Format, Frames};
 pub use camera::{Camera, Frame, Projection, View};
 pub use colour::Rgb;
 pub use image::Image;
 pub use map::{ColourMap, Map, Quantity};
 pub use picture::Picture;
 pub use scene::{Line, LineKind, LineSet, Scene};
+pub use sheet::contact_sheet;
 pub use theme::{LineStyle, Theme};

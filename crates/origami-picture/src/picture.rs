@@ -92,7 +92,8 @@ impl Picture {
         }
         if !self.caption.is_empty() {
             let size = text_size(self.width, self.height);
-            let left = 0.5 * (self.width as f32 - text::width(&self.caption, size));
+            let right = self.width as f32 - self.legend_of(scene).map_or(0.0, |legend| legend.width);
+            let left = 0.5 * (right - text::width(&self.caption, size));
             text::draw(image, &self.caption, [left, self.height as f32 - 1.1 * size], size, self.theme.text);
         }
     }

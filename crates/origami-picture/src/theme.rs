@@ -44,6 +44,8 @@ pub struct Theme {
     pub text: Rgb,
     /// By [`LineKind`], in its order.
     pub lines: [LineStyle; LineKind::ALL.len()],
+    /// Creases over a map, where their own colours would be mistaken for values; drawn thinner too.
+    pub over_map: Rgb,
     /// How much light and shade differ: 0 is none, 1 that of paper by a window.
     pub shading: f32,
 }
@@ -79,6 +81,7 @@ impl Theme {
             background: Some(Rgb::WHITE),
             text: Rgb(34, 34, 34),
             lines: field_lines(Rgb(30, 34, 40), Rgb(255, 255, 255)),
+            over_map: Rgb(255, 255, 255),
             shading: 1.0,
         }
     }
@@ -120,6 +123,7 @@ impl Theme {
             background: Some(Rgb(24, 26, 30)),
             text: Rgb(232, 232, 232),
             lines: field_lines(Rgb(10, 12, 14), Rgb(235, 235, 235)),
+            over_map: Rgb(255, 255, 255),
             shading: 1.0,
         }
     }

@@ -8,7 +8,7 @@ use super::{BIAS, Bounds, Corner, Facet, Plane};
 use crate::camera::View;
 use crate::picture::Picture;
 use crate::scene::{LineKind, Scene};
-use crate::theme::Dash;
+use crate::theme::{Dash, LineStyle};
 
 /// A steep face leads no farther from its line than this, in half widths of the line.
 const STEEP: f64 = 6.0;
@@ -74,6 +74,15 @@ impl Stroke {
     }
 }
 
+/// The theme's style, but over a map all creases are alike.
+fn style(picture: &Picture, scene: &Scene, kind: LineKind) -> LineStyle {
+    let style = *picture.theme.line(kind);
+    if scene.map.is_none() || matches!(kind, LineKind::Boundary | LineKind::Cut) {
+        return style;
+    }
+    LineStyle { colour: picture.theme.over_map, width: 0.6 * style.width, dash: None }
+}
+
 /// All lines that the picture shows, those first that others may cover.
 pub(super) fn strokes(
     picture: &Picture,
@@ -86,7 +95,7 @@ pub(super) fn strokes(
     let (scale, pixel, depth) = (picture.line_scale(), f64::from(view.pixel), f64::from(view.depth));
     let mut strokes = Vec::new();
     for (rank, kind) in [Facet, Undriven, Valley, Mountain, Boundary, Cut].into_iter().enumerate() {
-        let style = picture.theme.line(kind);
+        let style = style(picture, scene, kind);
         let half = 0.5 * f64::from(style.width * scale);
         if !picture.edges.has(kind) || !(half > 0.0 && half < 1e4) {
             continue;

@@ -3,7 +3,7 @@
 use origami_core::glam::DVec3;
 use origami_core::{CreasePattern, Model};
 
-use super::{Line, LineKind, Scene, chains};
+use super::{Line, LineKind, Scene, chains, lips};
 use crate::layers::layers;
 use crate::map::Map;
 
@@ -39,7 +39,11 @@ impl Scene {
 
 /// One for each side of the triangulation.
 fn lines(pattern: &CreasePattern, model: &Model) -> Vec<Line> {
-    let lips = lips_of_cuts(model);
+    let rim = model.mesh.sides.iter().map(|side| {
+        let single = side.triangles.iter().flatten().count() == 1;
+        single.then(|| side.nodes.map(|n| model.rest[n.index()]))
+    });
+    let lips = lips::find(&rim.collect::<Vec<_>>());
     let lines = model.mesh.sides.iter().zip(&lips).map(|(side, lip)| {
         let kind = side.edge.and_then(|edge| pattern.edges.get(edge.index())).map_or(LineKind::Facet, LineKind::of);
         Line {
@@ -52,22 +56,4 @@ fn lines(pattern: &CreasePattern, model: &Model) -> Vec<Line> {
     let mut lines: Vec<Line> = lines.collect();
     chains::measure(&mut lines, &model.rest);
     lines
-}
-
-/// Which sides are one of two that lie at one place while the sheet is flat: an opened cut has left them.
-fn lips_of_cuts(model: &Model) -> Vec<bool> {
-    let rim = |i: &usize| model.mesh.sides[*i].triangles.iter().flatten().count() == 1;
-    let place = |i: usize| {
-        let mut ends = model.mesh.sides[i].nodes.map(|n| model.rest[n.index()].to_array().map(f64::to_bits));
-        ends.sort_unstable();
-        ends
-    };
-    let mut places: Vec<_> = (0..model.mesh.sides.len()).filter(rim).map(|i| (place(i), i)).collect();
-    places.sort_unstable();
-    let mut lips = vec![false; model.mesh.sides.len()];
-    for pair in places.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-        lips[pair[0].1] = true;
-        lips[pair[1].1] = true;
-    }
-    lips
 }

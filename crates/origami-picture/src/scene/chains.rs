@@ -8,7 +8,7 @@ use super::Line;
 const STRAIGHT: f64 = 0.766;
 
 /// Sets [`Line::along`] by lengths at `rest`.
-pub(super) fn measure(lines: &mut [Line], rest: &[DVec3]) {
+pub(crate) fn measure(lines: &mut [Line], rest: &[DVec3]) {
     let next = partners(lines, rest);
     let mut done = vec![false; lines.len()];
     // Open chains from one of their ends, then closed ones from anywhere.

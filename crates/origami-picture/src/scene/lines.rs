@@ -51,6 +51,19 @@ impl LineKind {
             Self::Undriven => 'U',
         }
     }
+
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Mountain => "mountain",
+            Self::Valley => "valley",
+            Self::Boundary => "boundary",
+            Self::Facet => "facet",
+            Self::Cut => "cut",
+            Self::Undriven => "undriven",
+        }
+    }
 }
 
 /// A line between two nodes.

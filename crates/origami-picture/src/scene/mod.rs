@@ -1,8 +1,9 @@
 //! What a picture shows, for any renderer: plain arrays, indices into them, no colours but the values of a map.
 
 mod build;
-mod chains;
+pub(crate) mod chains;
 mod lines;
+pub(crate) mod lips;
 
 pub use lines::{Line, LineKind, LineSet};
 

@@ -202,6 +202,32 @@ impl Camera {
 /// Room in depth before and behind the sheet, in sizes of it: for what is moved nearer to be seen.
 const SLACK: f64 = 0.25;
 
+/// Points that stand for these turned about the vertical through their middle: a camera that is fitted to them sees a
+/// turntable neither grow nor sway.
+#[must_use]
+pub fn swept(points: impl Iterator<Item = [f32; 3]> + Clone) -> Vec<[f32; 3]> {
+    const BANDS: usize = 32;
+    const TURNS: usize = 64;
+    let bounds = |axis: usize| {
+        let all = points.clone().map(|p| p[axis]);
+        all.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+    };
+    let ((x0, x1), (y0, y1), (low, high)) = (bounds(0), bounds(1), bounds(2));
+    let middle = [0.5 * (x0 + x1), 0.5 * (y0 + y1)];
+    // The farthest from the axis, and the lowest and highest, of each band of heights.
+    let mut bands = [(0.0_f32, f32::INFINITY, f32::NEG_INFINITY); BANDS];
+    for [x, y, z] in points {
+        let band = &mut bands[((z - low) / (high - low).max(1e-9) * (BANDS - 1) as f32) as usize % BANDS];
+        *band = (band.0.max((x - middle[0]).hypot(y - middle[1])), band.1.min(z), band.2.max(z));
+    }
+    let turns = (0..TURNS).map(|i| (std::f32::consts::TAU * i as f32 / TURNS as f32).sin_cos());
+    let rings = bands.iter().filter(|band| band.1 <= band.2).flat_map(|band| [(band.0, band.1), (band.0, band.2)]);
+    let ring = |(radius, z): (f32, f32)| {
+        turns.clone().map(move |(sin, cos)| [middle[0] + radius * cos, middle[1] + radius * sin, z])
+    };
+    rings.flat_map(ring).collect()
+}
+
 /// Where the camera stands, in its own axes.
 struct Fit {
     /// The point in the middle of the picture.
@@ -339,6 +365,20 @@ mod tests {
         let turned = Camera { roll: 90.0, ..Camera::top() }.view(cube(), &frame).unwrap();
         let [x, y, _] = project(&turned, [1.0, 0.0, 0.0]);
         assert!(x.abs() < 1e-6 && (y - 1.0).abs() < 1e-6, "the x axis has turned counterclockwise: {x} {y}");
+    }
+
+    #[test]
+    fn a_turntable_neither_grows_nor_sways_and_shows_everything() {
+        let frame = Frame { width: 300, height: 200, margins: [10.0; 4] };
+        let swept = swept(points().into_iter());
+        let at = |azimuth| Camera { azimuth, ..Camera::default() }.view(swept.iter().copied(), &frame).unwrap();
+        for azimuth in [0.0, 17.0, 45.0, 200.0] {
+            assert!((at(azimuth).pixel / at(90.0).pixel - 1.0).abs() < 5e-3, "{azimuth}");
+            for p in points() {
+                let [x, y, z] = project(&at(azimuth), p);
+                assert!(x.abs() < 1.0 && y.abs() < 1.0 && z > 0.0 && z < 1.0, "{azimuth} {p:?}");
+            }
+        }
     }
 
     #[test]

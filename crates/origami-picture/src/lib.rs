@@ -21,6 +21,7 @@
 pub mod animation;
 pub mod camera;
 pub mod colour;
+pub mod glb;
 pub mod image;
 pub mod layers;
 mod legend;
@@ -37,6 +38,7 @@ pub mod theme;
 pub use animation::{Animation, Format, Frames};
 pub use camera::{Camera, Frame, Projection, View};
 pub use colour::Rgb;
+pub use glb::Glb;
 pub use image::Image;
 pub use map::{ColourMap, Map, Quantity};
 pub use picture::Picture;

@@ -13,9 +13,9 @@ pub fn brightness(normal: [f32; 3], light: [f32; 3], up: [f32; 3], strength: f32
     1.0 + (lit - 1.0) * strength
 }
 
-const AMBIENT: f32 = 0.30;
-const KEY: f32 = 0.58;
-const SKY: f32 = 0.17;
+const AMBIENT: f32 = 0.38;
+const KEY: f32 = 0.54;
+const SKY: f32 = 0.16;
 
 #[cfg(test)]
 mod tests {
@@ -27,7 +27,7 @@ mod tests {
         let up = [0.0, 1.0, 0.0];
         let at = |normal| brightness(normal, light, up, 1.0);
         assert!(at(light) > at([0.0, 0.0, 1.0]) && at([0.0, 0.0, 1.0]) > at([0.0, -0.8, 0.6]));
-        assert!(at([0.0, -1.0, 0.0]) > 0.25 && at(light) < 1.06);
+        assert!(at([0.0, -1.0, 0.0]) > 0.25 && at(light) < 1.08);
         assert_eq!(brightness(light, light, up, 0.0), 1.0);
     }
 }

@@ -76,12 +76,12 @@ impl Theme {
     #[must_use]
     pub const fn paper() -> Self {
         Self {
-            front: Rgb(139, 186, 214),
+            front: Rgb(138, 190, 222),
             back: Rgb(250, 245, 232),
             background: Some(Rgb::WHITE),
             text: Rgb(34, 34, 34),
             lines: field_lines(Rgb(30, 34, 40), Rgb(255, 255, 255)),
-            over_map: Rgb(255, 255, 255),
+            over_map: Rgb(150, 150, 150),
             shading: 1.0,
         }
     }
@@ -122,8 +122,8 @@ impl Theme {
             back: Rgb(214, 206, 190),
             background: Some(Rgb(24, 26, 30)),
             text: Rgb(232, 232, 232),
-            lines: field_lines(Rgb(10, 12, 14), Rgb(235, 235, 235)),
-            over_map: Rgb(255, 255, 255),
+            lines: field_lines(Rgb(232, 232, 232), Rgb(150, 150, 150)),
+            over_map: Rgb(150, 150, 150),
             shading: 1.0,
         }
     }

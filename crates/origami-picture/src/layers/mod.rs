@@ -14,6 +14,7 @@ use origami_core::Model;
 use origami_core::glam::DVec3;
 
 use order::Order;
+pub use pairs::NEAR;
 use pairs::{Contact, PARALLEL, Pairs};
 
 /// How a triangle is moved in depth, and nowhere else, so that it is seen to lie where it belongs.
@@ -28,24 +29,50 @@ pub struct Layer {
 /// How far apart layers are drawn that lie upon each other, in radii.
 pub const LAYER: f64 = 4e-3;
 
-/// How each triangle is moved; empty where none lie upon each other. `positions` by node, in radii.
+/// The order of layers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stack {
+    /// How each triangle is moved; empty where none lie upon each other.
+    pub layers: Vec<Layer>,
+    /// Pairs of triangles, the first under the second, that lie upon each other in a circle.
+    pub circles: Vec<[u32; 2]>,
+}
+
+/// The order of a sheet's layers; `positions` by node, in radii.
 ///
 /// More than some twenty thousand pairs of triangles upon each other are left to their depths.
 #[must_use]
-pub fn layers(model: &Model, positions: &[DVec3]) -> Vec<Layer> {
+pub fn stack(model: &Model, positions: &[DVec3]) -> Stack {
     if positions.len() != model.node_count() || positions.iter().any(|p| !p.is_finite()) {
-        return Vec::new();
+        return Stack::default();
     }
-    let Some(pairs) = Pairs::find(model, positions) else { return Vec::new() };
+    let Some(pairs) = Pairs::find(model, positions) else { return Stack::default() };
     let mut order = Order::new(&pairs);
     conditions::add(model, positions, &pairs, &mut order);
     order.decide();
-    let heights = spread(&pairs, &order, &welds(model, &pairs));
+    let circling = circling(&pairs, &order);
+    let heights = spread(&pairs, &order, &circling, &welds(model, &pairs));
     let layer = |(t, heights): (usize, [f64; 3])| Layer {
         up: pairs.up[t].to_array().map(|x| x as f32),
         heights: heights.map(|h| h as f32),
     };
-    heights.into_iter().enumerate().map(layer).collect()
+    Stack { layers: heights.into_iter().enumerate().map(layer).collect(), circles: circles(&pairs, &order, &circling) }
+}
+
+/// Pairs that lie upon each other in a circle, the lower one first; but none of a stack in which paper has gone through
+/// paper, where pairs contradict what depth shows.
+fn circles(pairs: &Pairs, order: &Order, circling: &[bool]) -> Vec<[u32; 2]> {
+    let in_circle = |pair: &usize| pairs.triangles[*pair].iter().all(|t| circling[*t as usize]);
+    let stack = |pair: usize| pairs.stacks[pairs.triangles[pair][0] as usize];
+    let mut tangled = vec![false; pairs.stacks.len()];
+    for pair in (0..pairs.triangles.len()).filter(in_circle) {
+        tangled[stack(pair)] |= !pairs.agrees(pair, order.above(pair));
+    }
+    let upwards = |pair: usize| {
+        let [i, j] = pairs.triangles[pair];
+        if order.above(pair) { [i, j] } else { [j, i] }
+    };
+    (0..pairs.triangles.len()).filter(in_circle).filter(|pair| !tangled[stack(*pair)]).map(upwards).collect()
 }
 
 /// Heights of all triangles' corners with which each pair is a [`LAYER`] apart wherever they overlap.
@@ -53,10 +80,9 @@ pub fn layers(model: &Model, positions: &[DVec3]) -> Vec<Layer> {
 /// One number a triangle would not do: the pleats of a twist lie upon each other in a circle, like the flaps of a box. So
 /// triangles may tilt, and are pushed apart contact by contact until all have room. Where stiff triangles cannot go around
 /// a circle, at least all above it and below it come to lie where they belong.
-fn spread(pairs: &Pairs, order: &Order, welds: &[[(usize, usize); 2]]) -> Vec<[f64; 3]> {
+fn spread(pairs: &Pairs, order: &Order, circling: &[bool], welds: &[[(usize, usize); 2]]) -> Vec<[f64; 3]> {
     const SWEEPS: usize = 300;
     const WELD: f64 = 0.1;
-    let circling = circling(pairs, order);
     let mut heights = vec![[0.0; 3]; pairs.normals.len()];
     for sweep in 0..2 * SWEEPS {
         let mut worst = 0.0_f64;
@@ -162,7 +188,7 @@ mod tests {
         let pattern = BirdBase::default().pattern().unwrap();
         for percent in [0.0, 50.0] {
             let (model, positions) = folded(&pattern, percent);
-            assert!(layers(&model, &positions).is_empty(), "{percent} %");
+            assert_eq!(stack(&model, &positions), Stack::default(), "{percent} %");
         }
     }
 
@@ -171,7 +197,7 @@ mod tests {
         for angle in [180.0, -180.0_f64] {
             let pattern = SingleCrease { angle: angle.to_radians(), ..SingleCrease::default() }.pattern().unwrap();
             let (model, positions) = folded(&pattern, 100.0);
-            let layers = layers(&model, &positions);
+            let layers = stack(&model, &positions).layers;
             let crease = model.creases.iter().find(|c| c.goal.abs() > 3.0).unwrap();
             let [Some(one), Some(two)] = model.mesh.sides[crease.side.index()].triangles else { panic!("two faces") };
             let [a, b, c] = model.mesh.triangles[one.index()].map(|n| positions[n.index()]);

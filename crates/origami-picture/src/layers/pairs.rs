@@ -6,7 +6,7 @@ use origami_core::glam::{DVec2, DVec3};
 use super::overlap::{overlap, width};
 
 /// Nearer than this, in radii, depth does not tell which of two triangles is on top.
-const NEAR: f64 = 4e-3;
+pub const NEAR: f64 = 4e-3;
 /// Up to here, in radii, layers are counted together: drawing them apart must not push one through the next.
 const FAR: f64 = 0.08;
 /// Cosine of the angle up to which two triangles count as parallel: 8 degrees.
@@ -32,6 +32,8 @@ pub(super) struct Pairs {
     pub(super) normals: Vec<DVec3>,
     /// The direction in which layers are counted: one for all triangles that lie upon each other, directly or not.
     pub(super) up: Vec<DVec3>,
+    /// The least triangle of all that lie upon each other, directly or not.
+    pub(super) stacks: Vec<usize>,
     /// By pair, the smaller first; in order.
     pub(super) triangles: Vec<[u32; 2]>,
     /// By pair: the corners of what they have in common.
@@ -93,7 +95,8 @@ impl Pairs {
         let neighbours = neighbours.into_iter().map(|(_, other, pair)| (other, pair)).collect();
         let (triangles, contacts) = found.into_iter().unzip();
         let up = vec![DVec3::ZERO; count];
-        let mut pairs = Self { up, normals, triangles, contacts, heights: Vec::new(), neighbours, starts };
+        let stacks = (0..count).collect();
+        let mut pairs = Self { up, stacks, normals, triangles, contacts, heights: Vec::new(), neighbours, starts };
         pairs.choose_directions();
         for ([i, _], contacts) in pairs.triangles.iter().zip(&mut pairs.contacts) {
             let turn = pairs.normals[*i as usize].dot(pairs.up[*i as usize]).signum();
@@ -112,6 +115,11 @@ impl Pairs {
         } else {
             all(|contact| contact.height < -NEAR).then_some(false)
         }
+    }
+
+    /// Whether depth says nowhere that a pair lies the other way round: its second above the first or not, as `above` says.
+    pub(super) fn agrees(&self, pair: usize, above: bool) -> bool {
+        self.contacts[pair].iter().all(|contact| if above { contact.height > -NEAR } else { contact.height < NEAR })
     }
 
     /// The triangles that lie upon this one, each with their pair.
@@ -140,6 +148,7 @@ impl Pairs {
                     let other = self.neighbours[k].0 as usize;
                     if self.up[other] == DVec3::ZERO {
                         self.up[other] = up;
+                        self.stacks[other] = seed;
                         open.push(other);
                     }
                 }

@@ -4,14 +4,17 @@
 //! of its own faces there, [`BIAS`] nearer: just enough to win against them, and too little to win against a layer
 //! in front.
 
+use super::circles::Circles;
 use super::{BIAS, Bounds, Corner, Facet, Plane};
 use crate::camera::View;
 use crate::picture::Picture;
 use crate::scene::{LineKind, Scene};
 use crate::theme::{Dash, LineStyle};
 
-/// A steep face leads no farther from its line than this, in half widths of the line.
+/// A steep face brings its line no nearer than this, in half widths of the line.
 const STEEP: f64 = 6.0;
+/// A face that falls away by more than this, in depth over distance, is seen edge-on and says nothing about its line.
+const EDGE_ON: f64 = 100.0;
 
 /// A line in the picture.
 #[derive(Clone, Debug)]
@@ -25,8 +28,12 @@ pub(super) struct Stroke {
     pub(super) half: f64,
     /// Depths at its ends.
     depths: [f64; 2],
+    /// Depths at its ends without layers.
+    bare: [f64; 2],
     /// Depths of the faces beside it.
     faces: [Option<Plane>; 2],
+    /// The faces beside it, the one on top first.
+    pub(super) triangles: [Option<u32>; 2],
     bias: f64,
     steep: f64,
     dashes: Option<Dashes>,
@@ -59,9 +66,9 @@ impl Dashes {
 }
 
 impl Stroke {
-    /// The depth at a point of the picture, if the line covers it.
+    /// The depth at a point of the picture, and that without layers, if the line covers it.
     #[inline(always)]
-    pub(super) fn cover(&self, x: f64, y: f64) -> Option<f64> {
+    pub(super) fn cover(&self, x: f64, y: f64) -> Option<[f64; 2]> {
         let (dx, dy) = (x - self.from[0], y - self.from[1]);
         let share = ((dx * self.along[0] + dy * self.along[1]) * self.inverse_length).clamp(0.0, 1.0);
         let (ox, oy) = (dx - share * self.along[0], dy - share * self.along[1]);
@@ -69,8 +76,9 @@ impl Stroke {
             return None;
         }
         let own = self.depths[0] + (self.depths[1] - self.depths[0]) * share;
-        let nearest = self.faces.iter().flatten().map(|plane| plane.of(x, y)).fold(own, f64::min);
-        Some(nearest.max(own - self.steep) - self.bias)
+        let nearest = self.faces.iter().flatten().map(|plane| plane.of(x, y)).reduce(f64::min).unwrap_or(own);
+        let bare = self.bare[0] + (self.bare[1] - self.bare[0]) * share;
+        Some([nearest.max(own - self.steep) - self.bias, bare])
     }
 }
 
@@ -90,6 +98,7 @@ pub(super) fn strokes(
     view: &View,
     corners: &[Option<Corner>],
     facets: &[Option<Facet>],
+    circles: &Circles,
 ) -> Vec<Stroke> {
     use LineKind::{Boundary, Cut, Facet, Mountain, Undriven, Valley};
     let (scale, pixel, depth) = (picture.line_scale(), f64::from(view.pixel), f64::from(view.depth));
@@ -103,6 +112,7 @@ pub(super) fn strokes(
         for line in scene.lines.iter().filter(|line| line.kind == kind) {
             let [Some(a), Some(b)] = line.nodes.map(|n| corners.get(n as usize).copied().flatten()) else { continue };
             let faces = line.triangles.map(|t| facets.get(t? as usize)?.as_ref().map(|f| f.depth));
+            let faces = faces.map(|face| face.filter(|plane| plane.dx.hypot(plane.dy) < EDGE_ON * depth));
             // The nearest of its faces at each end: layers are a part of their depths, not of the nodes'.
             let at_end = |p: Corner| faces.iter().flatten().map(|f| f.of(p.x, p.y)).fold(p.z, f64::min);
             let at_end = |p: Corner| at_end(p).max(p.z - view.depth_of_radius());
@@ -115,7 +125,9 @@ pub(super) fn strokes(
                 inverse_length: if squared > 0.0 { 1.0 / squared } else { 0.0 },
                 half,
                 depths: [at_end(a), at_end(b)],
+                bare: [a.z, b.z],
                 faces,
+                triangles: circles.top_first(line.triangles),
                 bias: BIAS * (1.0 + 0.05 * rank as f64) * view.depth_of_radius(),
                 steep: STEEP * half * depth,
                 dashes: style.dash.and_then(|dash| Dashes::new(&dash, line.along, pixel * f64::from(scale))),

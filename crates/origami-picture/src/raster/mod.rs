@@ -3,6 +3,7 @@
 //! The picture is cut into tiles; each is drawn by itself, so that memory beyond the picture's own stays small and threads
 //! cannot change the result.
 
+mod circles;
 mod line;
 mod samples;
 mod tile;
@@ -16,6 +17,7 @@ use crate::image::Image;
 use crate::layers::LAYER;
 use crate::picture::Picture;
 use crate::scene::Scene;
+use circles::Circles;
 use line::Stroke;
 use tile::{SIZE, Tile};
 use triangle::Facet;
@@ -32,7 +34,8 @@ pub(crate) fn draw(picture: &Picture, scene: &Scene, view: &View) -> Result<Imag
     let screen = Screen::new(picture, view);
     let corners: Vec<Option<Corner>> = scene.positions.iter().map(|p| screen.corner(*p)).collect();
     let facets: Vec<Option<Facet>> = triangle::facets(picture, scene, view, &corners);
-    let strokes: Vec<Stroke> = line::strokes(picture, scene, view, &corners, &facets);
+    let circles = Circles::new(scene, view);
+    let strokes: Vec<Stroke> = line::strokes(picture, scene, view, &corners, &facets, &circles);
 
     let table = scene.map.as_ref().map_or_else(Vec::new, |map| map.scale.colours.table());
     let columns = (picture.width as usize).div_ceil(SIZE);
@@ -41,12 +44,12 @@ pub(crate) fn draw(picture: &Picture, scene: &Scene, view: &View) -> Result<Imag
     let strokes_at = Bins::new(columns, rows, strokes.iter().map(|s| Some(s.bounds)));
     let width = picture.width as usize;
     image.pixels.par_chunks_mut(4 * width * SIZE).enumerate().for_each(|(row, band)| {
-        let mut tile = Tile::new(pattern, picture.theme.background);
+        let mut tile = Tile::new(pattern, picture.theme.background, &circles);
         for column in 0..columns {
             tile.clear(column, row);
             for f in facets_at.of(column, row) {
                 if let Some(Some(facet)) = facets.get(*f as usize) {
-                    tile.facet(facet, &table);
+                    tile.facet(*f, facet, &table);
                 }
             }
             for s in strokes_at.of(column, row) {

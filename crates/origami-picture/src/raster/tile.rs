@@ -1,34 +1,46 @@
 //! A square of pixels with several samples each.
 
+use super::circles::Circles;
 use super::line::Stroke;
 use super::samples::Pattern;
 use super::triangle::Facet;
 use crate::colour::Rgb;
 
+/// No triangle.
+const NOBODY: u32 = u32::MAX;
+
 /// Pixels a side.
 pub(super) const SIZE: usize = 32;
 
 /// Depth and colour of each sample.
-pub(super) struct Tile {
+pub(super) struct Tile<'a> {
     pattern: Pattern,
+    circles: &'a Circles,
     background: Option<[f32; 3]>,
     /// Its place among the tiles.
     column: usize,
     row: usize,
     depths: Vec<f32>,
+    /// The triangle that is seen, where some lie upon each other in a circle; else empty.
+    owners: Vec<u32>,
+    /// Its depth without layers.
+    bare: Vec<f64>,
     /// Linear light; nothing has been drawn where the depth is infinite.
     colours: Vec<[f32; 3]>,
 }
 
-impl Tile {
-    pub(super) fn new(pattern: Pattern, background: Option<Rgb>) -> Self {
+impl<'a> Tile<'a> {
+    pub(super) fn new(pattern: Pattern, background: Option<Rgb>, circles: &'a Circles) -> Self {
         let count = SIZE * SIZE * pattern.len();
         Self {
             pattern,
+            circles,
             background: background.map(Rgb::linear),
             column: 0,
             row: 0,
             depths: vec![f32::INFINITY; count],
+            owners: vec![NOBODY; if circles.is_empty() { 0 } else { count }],
+            bare: vec![0.0; if circles.is_empty() { 0 } else { count }],
             colours: vec![[0.0; 3]; count],
         }
     }
@@ -36,6 +48,7 @@ impl Tile {
     pub(super) fn clear(&mut self, column: usize, row: usize) {
         (self.column, self.row) = (column, row);
         self.depths.fill(f32::INFINITY);
+        self.owners.fill(NOBODY);
     }
 
     /// Pixels of this tile that the rectangle touches, by rows: `(x, y)` in the picture and the place of the first sample.
@@ -50,7 +63,7 @@ impl Tile {
             .flat_map(move |y| across.clone().map(move |x| (x0 + x as f64, y0 + y as f64, (y * SIZE + x) * samples)))
     }
 
-    pub(super) fn facet(&mut self, facet: &Facet, table: &[[f32; 3]]) {
+    pub(super) fn facet(&mut self, name: u32, facet: &Facet, table: &[[f32; 3]]) {
         let pattern = self.pattern;
         for (x, y, first) in self.pixels(facet.bounds) {
             // The farthest corner of the pixel is outside of one edge: so are all its samples.
@@ -73,7 +86,10 @@ impl Tile {
                 let (sx, sy) = (x + dx, y + dy);
                 if facet.edges.iter().all(|edge| edge.holds(sx, sy)) {
                     let depth = facet.depth.of(sx, sy).clamp(facet.range[0], facet.range[1]);
-                    self.put(first + i, depth as f32, colour);
+                    let here = [depth, facet.bare.of(sx, sy)];
+                    let told =
+                        self.owner(first + i).and_then(|(o, bare)| self.circles.in_front([name, o], [here[1], bare]));
+                    self.put(first + i, here, colour, told, Some(name));
                 }
             }
         }
@@ -89,19 +105,35 @@ impl Tile {
                 continue;
             }
             for (i, [dx, dy]) in pattern.iter().enumerate() {
-                if let Some(depth) = stroke.cover(x + dx, y + dy) {
-                    self.put(first + i, depth as f32, stroke.colour);
+                if let Some(here) = stroke.cover(x + dx, y + dy) {
+                    let told = self
+                        .owner(first + i)
+                        .and_then(|(o, bare)| self.circles.line_in_front(stroke.triangles, o, [here[1], bare]));
+                    self.put(first + i, here, stroke.colour, told, stroke.triangles[0]);
                 }
             }
         }
     }
 
-    /// Of equal depths the later wins: lines of one kind that meet.
+    /// The triangle that is seen in a sample and its depth without layers, where that matters.
     #[inline(always)]
-    fn put(&mut self, sample: usize, depth: f32, colour: [f32; 3]) {
-        if depth <= self.depths[sample] {
+    fn owner(&self, sample: usize) -> Option<(u32, f64)> {
+        let owner = self.owners.get(sample).copied().filter(|owner| *owner != NOBODY)?;
+        Some((owner, *self.bare.get(sample)?))
+    }
+
+    /// Of equal depths the later wins: lines of one kind that meet. Where something has `told` whether this is in front,
+    /// depth does not count.
+    #[inline(always)]
+    fn put(&mut self, sample: usize, here: [f64; 2], colour: [f32; 3], told: Option<bool>, owner: Option<u32>) {
+        let depth = here[0] as f32;
+        if told.unwrap_or(depth <= self.depths[sample]) {
             self.depths[sample] = depth;
             self.colours[sample] = colour;
+            if let (Some(place), Some(bare)) = (self.owners.get_mut(sample), self.bare.get_mut(sample)) {
+                *place = owner.unwrap_or(NOBODY);
+                *bare = here[1];
+            }
         }
     }
 

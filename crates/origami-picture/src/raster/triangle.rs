@@ -18,6 +18,8 @@ pub(super) struct Facet {
     pub(super) edges: [Edge; 3],
     /// Clip depth, layers included.
     pub(super) depth: Plane,
+    /// Clip depth without layers.
+    pub(super) bare: Plane,
     /// Its corners' depths: rounding shall not lead beyond them.
     pub(super) range: [f64; 2],
     /// Linear light.
@@ -80,8 +82,9 @@ pub(super) fn facets(picture: &Picture, scene: &Scene, view: &View, corners: &[O
         let normal = (q - p).cross(r - p).normalize_or_zero() * if front { 1.0 } else { -1.0 };
         let light = brightness(normal.to_array().map(|x| x as f32), view.light, view.up, strength);
         let lift = scene.layers.get(i).map_or([0.0; 3], |layer| lift(layer, view));
+        let bare = plane(&seen, area, seen.map(|p| p.z));
         let seen = [0, 1, 2].map(|k| Corner { z: seen[k].z - lift[k], ..seen[k] });
-        let mut facet = Facet::new(seen, area, sides[usize::from(!front)])?;
+        let mut facet = Facet::new(seen, area, bare, sides[usize::from(!front)])?;
         match scene.map.as_ref().map(|map| (&map.values, &map.scale)) {
             Some((Values::Triangles(values), scale)) => {
                 facet.colour = scale.colours.colour(f64::from(scale.share(values[i]))).linear();
@@ -119,7 +122,7 @@ fn lift(layer: &Layer, view: &View) -> [f64; 3] {
 }
 
 impl Facet {
-    fn new(seen: [Corner; 3], area: f64, colour: [f32; 3]) -> Option<Self> {
+    fn new(seen: [Corner; 3], area: f64, bare: Plane, colour: [f32; 3]) -> Option<Self> {
         if area == 0.0 {
             return None;
         }
@@ -132,6 +135,7 @@ impl Facet {
             bounds: [least(|p| p.x), least(|p| p.y), most(|p| p.x), most(|p| p.y)],
             edges: [Edge::new(a, b), Edge::new(b, c), Edge::new(c, a)],
             depth,
+            bare,
             range: [least(|p| p.z), most(|p| p.z)],
             colour,
             shares: None,

@@ -4,7 +4,7 @@ use origami_core::glam::DVec3;
 use origami_core::{CreasePattern, Model};
 
 use super::{Line, LineKind, Scene, chains, lips};
-use crate::layers::layers;
+use crate::layers::stack;
 use crate::map::Map;
 
 impl Scene {
@@ -25,7 +25,8 @@ impl Scene {
         let all = positions.iter().chain(model.rest.iter().skip(positions.len()));
         self.positions.clear();
         self.positions.extend(all.take(model.rest.len()).map(|p| p.to_array().map(|x| x as f32)));
-        self.layers = layers(model, positions);
+        let stack = stack(model, positions);
+        (self.layers, self.circles) = (stack.layers, stack.circles);
     }
 }
 

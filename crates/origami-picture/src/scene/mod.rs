@@ -22,6 +22,11 @@ pub struct Scene {
     /// Where layers lie upon each other and depth cannot tell which is on top: how each triangle is moved in depth, and
     /// nowhere else. Empty where no layers do.
     pub layers: Vec<Layer>,
+    /// Pairs of triangles, the first under the second (along [`Layer::up`]), that lie upon each other in a circle, as the
+    /// flaps of a box do: no depths show them all where they belong. A renderer compares the depths that such triangles have
+    /// without their layers, and where these differ by less than [`NEAR`](crate::layers::NEAR) looks here; one that cannot
+    /// may leave them to [`Scene::layers`].
+    pub circles: Vec<[u32; 2]>,
     /// Creases, borders and what else is drawn as a line.
     pub lines: Vec<Line>,
     /// Values that are shown as colours in place of the paper's own.
@@ -49,6 +54,9 @@ impl Scene {
         let faces = |l: &Line| l.triangles.iter().flatten().all(|t| (*t as usize) < self.triangles.len());
         if let Some(i) = self.lines.iter().position(|l| !l.nodes.iter().all(node) || !faces(l)) {
             return wrong(format!("line {i}"), "names a node or triangle that is not there", "indices in range".into());
+        }
+        if let Some(i) = self.circles.iter().position(|c| c.iter().any(|t| *t as usize >= self.triangles.len())) {
+            return wrong(format!("circle {i}"), "names a triangle that is not there", "indices in range".into());
         }
         let values = self.map.as_ref().map(|map| match &map.values {
             Values::Nodes(values) => (values.len(), nodes),

@@ -15,6 +15,12 @@
 //! [`CreasePattern`], its [`Model`] the triangulated sheet with its springs; a [`Solver`] ([`Relax`] unless the motion
 //! itself is wanted, then [`Dynamics`]) folds it; [`measure`] says how strained it is and [`export`] writes it.
 //!
-//! This crate is a facade: everything is `origami_core`'s. Errors name the place in the file ([`Error`]); what was odd but
+//! With the feature `gpu` (off by default) the module `gpu` computes both solvers on a graphics card: `Gpu::open` takes an
+//! adapter, and `gpu.with(Relax::default())` is a [`Solver`] like any other.
+//!
+//! This crate is a facade: everything is `origami_core`'s, and `origami_gpu`'s in `gpu`. Errors name the place in the file ([`Error`]); what was odd but
 //! could be put right is among the pattern's [`warnings`](CreasePattern::warnings). Equal input gives equal bits.
 pub use origami_core::*;
+/// The solvers on a GPU, through wgpu.
+#[cfg(feature = "gpu")]
+pub use origami_gpu as gpu;

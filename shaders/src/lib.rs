@@ -1,2 +1,97 @@
-//! The WGSL compute shaders of origami.
+//! The WGSL compute shaders of origami as text, one kernel or one part of several kernels a file. `README.md` lists the
+//! buffers that they work on.
 #![forbid(unsafe_code)]
+
+/// Makes a constant of each file, by its name in capitals.
+macro_rules! shaders {
+    ($($(#[$doc:meta])* $name:ident = $file:literal;)*) => {
+        $($(#[$doc])* pub const $name: &str = include_str!($file);)*
+
+        /// All files: name and text.
+        pub const ALL: &[(&str, &str)] = &[$(($file, $name)),*];
+    };
+}
+
+shaders! {
+    /// What all kernels share.
+    STATE = "state.wgsl";
+    /// Angles from sine and cosine.
+    ANGLE = "angle.wgsl";
+    /// One material for all instances.
+    MATERIAL_UNIFORM = "material_uniform.wgsl";
+    /// Instances that differ in material.
+    MATERIAL_VARIED = "material_varied.wgsl";
+    /// All beams of one rigidity.
+    RIGIDITY_UNIFORM = "rigidity_uniform.wgsl";
+    /// Beams with a rigidity of their own.
+    RIGIDITY_OWN = "rigidity_own.wgsl";
+    /// Corner angles of a triangle.
+    CORNER_ANGLES = "corner_angles.wgsl";
+    /// A scene without them.
+    CORNER_ANGLES_NONE = "corner_angles_none.wgsl";
+    /// Creases as hinges.
+    HINGE = "hinge.wgsl";
+    /// A triangle and its sides.
+    FACE = "face.wgsl";
+    /// Forces on a node, summed in fixed order.
+    GATHER = "gather.wgsl";
+    /// Sums over a workgroup.
+    REDUCE = "reduce.wgsl";
+    /// Sums of the workgroups.
+    PARTIALS = "partials.wgsl";
+    /// FIRE.
+    FIRE = "fire.wgsl";
+    /// The stopping rule's memory.
+    WINDOWS = "windows.wgsl";
+    /// Kernel: fold angles and moments.
+    EDGES = "edges.wgsl";
+    /// Kernel: forces from the faces.
+    FACES = "faces.wgsl";
+    /// Kernel: beams outside any face.
+    LOOSE_BEAMS = "loose_beams.wgsl";
+    /// Kernel: moves the nodes of dynamics.
+    NODES = "nodes.wgsl";
+    /// Kernel: row sums of the stiffness.
+    ROW_SUMS = "row_sums.wgsl";
+    /// Kernel: the largest row sum.
+    STIFFEST = "stiffest.wgsl";
+    /// Kernel: the safe time step.
+    RENEW = "renew.wgsl";
+    /// Kernel: forces on the nodes and FIRE's sums.
+    WEIGH = "weigh.wgsl";
+    /// Kernel: FIRE's decision.
+    DECIDE = "decide.wgsl";
+    /// Kernel: FIRE's move.
+    MOVES = "moves.wgsl";
+    /// Kernel: the stopping rule per node.
+    SETTLE = "settle.wgsl";
+    /// Kernel: the stopping rule per instance.
+    JUDGE = "judge.wgsl";
+    /// Kernel: how good a state is.
+    SURVEY = "survey.wgsl";
+    /// Kernel: keeps a good state.
+    KEEP = "keep.wgsl";
+    /// Kernel: many steps of dynamics by one workgroup.
+    WORKGROUP_DYNAMICS = "workgroup_dynamics.wgsl";
+    /// Kernel: many evaluations of a relaxation by one workgroup.
+    WORKGROUP_RELAX = "workgroup_relax.wgsl";
+}
+
+/// The paper's five passes over displacements from rest: not the fastest, but the plainest. A kernel is [`paper::SHEET`],
+/// [`ANGLE`] and one of the passes.
+pub mod paper {
+    shaders! {
+        /// What the passes share.
+        SHEET = "paper/sheet.wgsl";
+        /// First kernel: normals of the triangles.
+        NORMALS = "paper/normals.wgsl";
+        /// Second kernel: fold angles.
+        FOLD_ANGLES = "paper/fold_angles.wgsl";
+        /// Third kernel: coefficients of the creases' forces.
+        COEFFICIENTS = "paper/coefficients.wgsl";
+        /// Fourth kernel: forces and velocities.
+        FORCES = "paper/forces.wgsl";
+        /// Fifth kernel: positions.
+        POSITIONS = "paper/positions.wgsl";
+    }
+}

@@ -1,6 +1,9 @@
 //! What several test files share.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
+#[cfg(feature = "gpu")]
+pub(crate) mod gpu;
+
 use origami::glam::DVec3;
 use origami::ids::VertexId;
 use origami::pattern::{Assignment, PatternEdge};

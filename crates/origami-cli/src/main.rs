@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 mod args;
+mod backend;
 mod commands;
 mod console;
 mod exit;
@@ -10,6 +11,7 @@ mod numbers;
 mod progress;
 mod report;
 mod settings;
+mod stopwatch;
 
 use std::process::ExitCode;
 

@@ -51,6 +51,13 @@ pub(crate) fn duration(time: Duration) -> String {
     if seconds < 0.9995 { format!("{:.0} ms", 1e3 * seconds) } else { format!("{seconds:.1} s") }
 }
 
+/// Such as `128 MiB` and `2.0 GiB`.
+pub(crate) fn bytes(n: u64) -> String {
+    let power = n.max(1).ilog2() / 10;
+    let unit = ["B", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"][power as usize];
+    format!("{} {unit}", short(n as f64 / (1_u64 << (10 * power)) as f64))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -85,6 +92,8 @@ mod tests {
     fn groups_and_times() {
         assert_eq!([0, 999, 1240, 1_234_567].map(grouped), ["0", "999", "1 240", "1 234 567"]);
         assert_eq!(count(1, "face", "faces"), "1 face");
+        let sizes = [0, 1000, 16 << 10, (2 << 30) - 1, u64::MAX].map(bytes);
+        assert_eq!(sizes, ["0 B", "1000 B", "16 KiB", "2.0 GiB", "16 EiB"]);
         assert_eq!(duration(Duration::from_micros(12_345)), "12 ms");
         assert_eq!(duration(Duration::from_millis(3_440)), "3.4 s");
     }

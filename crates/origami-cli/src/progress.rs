@@ -18,12 +18,20 @@ pub(crate) struct ProgressLine {
 impl ProgressLine {
     /// For `files` inputs; hidden if `quiet` or where no terminal shows it.
     pub(crate) fn new(files: usize, quiet: bool) -> Self {
+        match files {
+            1 => Self::of(PARTS, "{bar:30} {msg} ({elapsed})", quiet),
+            _ => Self::of(files as u64, "{bar:30} {pos} of {len} files ({elapsed})", quiet),
+        }
+    }
+
+    /// For `count` sheets of one pattern.
+    pub(crate) fn of_sheets(count: usize, quiet: bool) -> Self {
+        Self::of(PARTS * count as u64, "{bar:30} {percent} % ({elapsed}, about {eta} to go)", quiet)
+    }
+
+    fn of(length: u64, template: &str, quiet: bool) -> Self {
         let hidden = quiet || !io::stderr().is_terminal();
         let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let (length, template) = match files {
-            1 => (PARTS, "{bar:30} {msg} ({elapsed})"),
-            _ => (files as u64, "{bar:30} {pos} of {len} files ({elapsed})"),
-        };
         let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
         let bar = ProgressBar::with_draw_target(Some(length), target).with_style(style);
         if !hidden {
@@ -47,6 +55,12 @@ impl ProgressLine {
             String::new()
         };
         self.bar.set_message(format!("{stage}step {}{distance}", grouped(solver.step)));
+    }
+
+    /// All sheets together have come so far; each is 1 when it is folded.
+    pub(crate) fn show_sheets(&self, sum: f64) {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a million sheets at most")]
+        self.bar.set_position((sum * PARTS as f64) as u64);
     }
 
     /// One more file is done.

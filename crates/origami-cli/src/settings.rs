@@ -1,9 +1,10 @@
 //! From the command line to what the library wants.
 
 use origami::model::Material;
-use origami::solve::{Dynamics, Integrator, Relax, Solver, TimeStep, frame_percents, time_step};
+use origami::solve::{Dynamics, Integrator, Relax, TimeStep, frame_percents, time_step};
 
-use crate::args::{BackendName, FoldArgs, IntegratorName, SolverName};
+use crate::args::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, SolverName, SolvingArgs, SweepArgs};
+use crate::backend::{Backend, Method};
 use crate::numbers::plain;
 
 /// How every input of a run is folded.
@@ -19,7 +20,9 @@ pub(crate) struct Settings {
     /// As on the command line.
     pub(crate) solver_name: SolverName,
     /// What folds.
-    pub(crate) solver: Box<dyn Solver + Sync>,
+    pub(crate) method: Method,
+    /// Where.
+    pub(crate) backend: Backend,
     /// Distance from the equilibrium, in radii.
     pub(crate) tolerance: f64,
     /// The rule for the length of a step of dynamics.
@@ -31,37 +34,19 @@ impl Settings {
     /// Those of the arguments.
     ///
     /// # Errors
-    /// What this build cannot do.
+    /// What this build or this machine cannot do.
     pub(crate) fn new(args: &FoldArgs) -> Result<Self, String> {
         let solving = &args.solving;
-        if solving.backend == BackendName::Gpu {
-            return Err("--backend gpu: this build has no GPU backend; expected auto or cpu".to_owned());
-        }
-        let (tolerance, max_steps, steps) = (solving.tolerance, solving.max_steps, solving.steps);
-        let time_step = solving.time_step.unwrap_or(TimeStep::Paper);
-        let integrator = match solving.integrator {
-            None | Some(IntegratorName::Euler) => Integrator::Euler,
-            Some(IntegratorName::Verlet) => Integrator::Verlet,
-        };
-        let solver: Box<dyn Solver + Sync> = match solving.solver {
-            SolverName::Relax => {
-                let mut relax = Relax { tolerance, ramp: solving.ramp, max_steps, steps, ..Relax::default() };
-                relax.perturbation = solving.perturbation.unwrap_or(relax.perturbation);
-                Box::new(relax)
-            }
-            SolverName::Dynamics => {
-                let ramp = solving.ramp.unwrap_or(0);
-                Box::new(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps })
-            }
-        };
+        let (time_step, integrator) = (solving.time_step(), solving.integrator());
         Ok(Self {
             frame: args.frame,
             percents: args.frames.map_or_else(|| vec![args.percent], |frames| frame_percents(args.percent, frames)),
             animated: args.frames.is_some(),
             material: args.material.material(),
             solver_name: solving.solver,
-            solver,
-            tolerance,
+            method: method(solving, args.perturbation),
+            backend: backend(solving)?,
+            tolerance: solving.tolerance,
             time_step,
             integrator,
         })
@@ -69,11 +54,7 @@ impl Settings {
 
     /// What may help against divergence.
     pub(crate) fn advice(&self) -> &'static str {
-        match (self.solver_name, self.time_step) {
-            (SolverName::Relax, _) => "stiffnesses nearer to the defaults or a longer --ramp may hold",
-            (SolverName::Dynamics, TimeStep::Safe) => "a smaller --time-step may hold",
-            (SolverName::Dynamics, _) => "--time-step safe or a smaller one may hold",
-        }
+        advice(self.solver_name, self.time_step)
     }
 
     /// The length of the first step; relaxations have none that can be told beforehand.
@@ -87,21 +68,89 @@ impl Settings {
     }
 }
 
+/// What folds.
+pub(crate) fn method(solving: &SolvingArgs, perturbation: Option<f64>) -> Method {
+    let (tolerance, max_steps, steps) = (solving.tolerance, solving.max_steps, solving.steps);
+    match solving.solver {
+        SolverName::Relax => {
+            let mut relax = Relax { tolerance, ramp: solving.ramp, max_steps, steps, ..Relax::default() };
+            relax.perturbation = perturbation.unwrap_or(relax.perturbation);
+            Method::Relax(relax)
+        }
+        SolverName::Dynamics => {
+            let ramp = solving.ramp.unwrap_or(0);
+            let (time_step, integrator) = (solving.time_step(), solving.integrator());
+            Method::Dynamics(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps })
+        }
+    }
+}
+
+/// Where.
+///
+/// # Errors
+/// What this build or this machine cannot do.
+pub(crate) fn backend(solving: &SolvingArgs) -> Result<Backend, String> {
+    Backend::new(solving.backend, solving.adapter.as_deref())
+}
+
+/// What may help against divergence.
+pub(crate) fn advice(solver: SolverName, time_step: TimeStep) -> &'static str {
+    match (solver, time_step) {
+        (SolverName::Relax, _) => "stiffnesses nearer to the defaults or a longer --ramp may hold",
+        (SolverName::Dynamics, TimeStep::Safe) => "a smaller --time-step may hold",
+        (SolverName::Dynamics, _) => "--time-step safe or a smaller one may hold",
+    }
+}
+
+impl SolvingArgs {
+    /// The rule for the length of a step of dynamics.
+    pub(crate) fn time_step(&self) -> TimeStep {
+        self.time_step.unwrap_or(TimeStep::Paper)
+    }
+
+    fn integrator(&self) -> Integrator {
+        match self.integrator {
+            None | Some(IntegratorName::Euler) => Integrator::Euler,
+            Some(IntegratorName::Verlet) => Integrator::Verlet,
+        }
+    }
+}
+
 /// What is allowed but odd about the arguments.
 pub(crate) fn oddities(args: &FoldArgs) -> Vec<String> {
-    let solving = &args.solving;
-    let mut oddities = Vec::new();
-    if args.percent.abs() > 100.0 {
-        oddities.push(format!("--percent {}: folds past the pattern's own angles", plain(args.percent)));
-    }
+    let mut oddities = past_the_angles(&[args.percent]);
+    oddities.extend(without_effect(&args.solving, args.material.zeta.is_some(), args.perturbation.is_some()));
+    oddities
+}
+
+/// The same of a sweep, where either solver takes the perturbation.
+pub(crate) fn oddities_of_sweep(args: &SweepArgs, percents: &[f64]) -> Vec<String> {
+    let mut oddities = past_the_angles(percents);
+    oddities.extend(without_effect(&args.solving, args.has_zeta(), false));
+    oddities
+}
+
+fn past_the_angles(percents: &[f64]) -> Vec<String> {
+    let past = percents.iter().find(|percent| percent.abs() > 100.0);
+    past.map(|p| format!("--percent {}: folds past the pattern's own angles", plain(*p))).into_iter().collect()
+}
+
+fn without_effect(solving: &SolvingArgs, zeta: bool, perturbation: bool) -> Vec<String> {
     let given = [
         ("--time-step", SolverName::Dynamics, solving.time_step.is_some()),
         ("--integrator", SolverName::Dynamics, solving.integrator.is_some()),
-        ("--zeta", SolverName::Dynamics, args.material.zeta.is_some()),
-        ("--perturbation", SolverName::Relax, solving.perturbation.is_some()),
+        ("--zeta", SolverName::Dynamics, zeta),
+        ("--perturbation", SolverName::Relax, perturbation),
     ];
-    for (name, ..) in given.iter().filter(|(_, solver, given)| *given && *solver != solving.solver) {
-        oddities.push(format!("{name} has no effect with --solver {}", solving.solver.name()));
+    let given = given.iter().filter(|(_, solver, given)| *given && *solver != solving.solver);
+    let mut oddities: Vec<String> =
+        given.map(|(name, ..)| format!("{name} has no effect with --solver {}", solving.solver.name())).collect();
+    // What the environment names is meant for other runs.
+    let named = solving.adapter.is_some() && solving.adapter != std::env::var(ADAPTER_VARIABLE).ok();
+    if named && solving.backend == BackendName::Cpu {
+        oddities.push("--adapter has no effect with --backend cpu".to_owned());
+    } else if named && cfg!(not(feature = "gpu")) {
+        oddities.push("--adapter has no effect in a build without the feature `gpu`".to_owned());
     }
     oddities
 }

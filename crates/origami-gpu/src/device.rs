@@ -1,11 +1,17 @@
 //! An adapter that has been opened.
 
-use std::sync::Arc;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, OnceLock};
 
-use crate::error::GpuError;
+use crate::adapter::{AdapterChoice, AdapterSummary, found};
+use crate::engine::Dispatch;
+use crate::error::{GpuError, one_line};
 use crate::solver::OnGpu;
 
 /// An adapter that has been opened. Cloning it is cheap and opens nothing.
+///
+/// It needs no more than `wgpu::Limits::default()` and no optional feature. Larger buffers are allowed where the adapter
+/// has them.
 #[derive(Clone, Debug)]
 pub struct Gpu {
     inner: Arc<Inner>,
@@ -13,23 +19,56 @@ pub struct Gpu {
 
 #[derive(Debug)]
 struct Inner {
+    adapter: AdapterSummary,
     device: wgpu::Device,
     queue: wgpu::Queue,
+    limits: wgpu::Limits,
+    /// The first thing that went wrong outside every error scope.
+    fault: Arc<OnceLock<GpuError>>,
 }
 
 impl Gpu {
-    /// Opens the first adapter that there is.
+    /// Opens an adapter.
     ///
     /// # Errors
-    /// [`GpuError::NoAdapter`].
-    pub fn open() -> Result<Self, GpuError> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-        let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()));
-        let adapter = adapter.map_err(|_| GpuError::NoAdapter)?;
-        let descriptor = wgpu::DeviceDescriptor::default();
+    /// [`GpuError::NoAdapter`], [`GpuError::NoHardware`] and [`GpuError::NoSuchAdapter`] where there is none to choose,
+    /// [`GpuError::Unfit`] where it cannot do what is needed, [`GpuError::Refused`] where its driver fails.
+    pub fn open(choice: &AdapterChoice) -> Result<Self, GpuError> {
+        let (mut adapters, mut summaries): (Vec<_>, Vec<_>) = found().into_iter().unzip();
+        let place = choice.pick(&summaries)?;
+        let (adapter, summary) = (adapters.swap_remove(place), summaries.swap_remove(place));
+        let theirs = adapter.limits();
+        let limits = wgpu::Limits {
+            max_storage_buffer_binding_size: theirs.max_storage_buffer_binding_size,
+            max_buffer_size: theirs.max_buffer_size,
+            ..wgpu::Limits::default()
+        };
+        let descriptor = wgpu::DeviceDescriptor { required_limits: limits.clone(), ..Default::default() };
         let opened = pollster::block_on(adapter.request_device(&descriptor));
-        let (device, queue) = opened.map_err(|error| GpuError::Refused(error.to_string()))?;
-        Ok(Self { inner: Arc::new(Inner { device, queue }) })
+        let (device, queue) = opened.map_err(|error| GpuError::Refused(format!("{summary}: {error}")))?;
+
+        // Both callbacks replace panics. Only the first fault counts: others follow from it.
+        let fault = Arc::new(OnceLock::new());
+        let lost = Arc::clone(&fault);
+        device.set_device_lost_callback(move |reason, message| {
+            let _ = lost.set(GpuError::Lost(loss(reason, &message)));
+        });
+        let refused = Arc::clone(&fault);
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            let _ = refused.set(error.into());
+        }));
+        Ok(Self { inner: Arc::new(Inner { adapter: summary, device, queue, limits, fault }) })
+    }
+
+    /// What was opened.
+    #[must_use]
+    pub fn adapter(&self) -> &AdapterSummary {
+        &self.inner.adapter
+    }
+
+    /// `method` (a `Relax` or a `Dynamics`) computed here instead of on the processor.
+    pub fn with<S>(&self, method: S) -> OnGpu<S> {
+        OnGpu { gpu: self.clone(), method, dispatch: Dispatch::Auto }
     }
 
     pub(crate) fn device(&self) -> &wgpu::Device {
@@ -40,8 +79,147 @@ impl Gpu {
         &self.inner.queue
     }
 
-    /// `method` (a `Relax` or a `Dynamics`) computed here instead of on the processor.
-    pub fn with<S>(&self, method: S) -> OnGpu<S> {
-        OnGpu { gpu: self.clone(), method }
+    /// What the device was opened with.
+    pub(crate) fn limits(&self) -> &wgpu::Limits {
+        &self.inner.limits
+    }
+
+    /// Whether it has gone wrong so far; what was submitted goes on.
+    ///
+    /// # Errors
+    /// The first fault outside every error scope.
+    pub(crate) fn check(&self) -> Result<(), GpuError> {
+        self.poll(wgpu::PollType::Poll)
+    }
+
+    /// Waits until all that was submitted is done and its callbacks have run.
+    ///
+    /// # Errors
+    /// As [`Gpu::check`].
+    pub(crate) fn wait(&self) -> Result<(), GpuError> {
+        self.poll(wgpu::PollType::wait_indefinitely())
+    }
+
+    /// Waits until one submission is done.
+    ///
+    /// # Errors
+    /// As [`Gpu::check`].
+    pub(crate) fn wait_for(&self, submission: wgpu::SubmissionIndex) -> Result<(), GpuError> {
+        self.poll(wgpu::PollType::Wait { submission_index: Some(submission), timeout: None })
+    }
+
+    /// Runs `f` and returns what it came to, unless wgpu refused anything in it. Only calls on this thread count.
+    ///
+    /// # Errors
+    /// The gravest of what was refused; [`GpuError::Lost`] and whatever else [`Gpu::check`] knows of.
+    pub(crate) fn scoped<T>(&self, f: impl FnOnce() -> T) -> Result<T, GpuError> {
+        let device = self.device();
+        let internal = device.push_error_scope(wgpu::ErrorFilter::Internal);
+        let validation = device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let done = f();
+        // Innermost first. Buffers that did not fit are refused later as invalid: their cause is what counts.
+        let caught = [memory, validation, internal].map(|scope| pollster::block_on(scope.pop()));
+        match caught.into_iter().flatten().next() {
+            Some(error) => Err(error.into()),
+            None => self.check().map(|()| done),
+        }
+    }
+
+    /// wgpu panics where a wait finds that the device is lost. It has called back by then, so the fault is known.
+    fn poll(&self, how: wgpu::PollType) -> Result<(), GpuError> {
+        let polled = catch_unwind(AssertUnwindSafe(|| self.device().poll(how)));
+        if let Some(fault) = self.inner.fault.get() {
+            return Err(fault.clone());
+        }
+        match polled {
+            Ok(Ok(_)) => Ok(()),
+            Ok(Err(error)) => Err(GpuError::Refused(error.to_string())),
+            Err(panic) => {
+                let text = panic.downcast_ref::<String>().map_or("its driver failed", String::as_str);
+                Err(GpuError::Lost(one_line(text)))
+            }
+        }
+    }
+}
+
+fn loss(reason: wgpu::DeviceLostReason, message: &str) -> String {
+    match (reason, one_line(message)) {
+        (wgpu::DeviceLostReason::Destroyed, text) if text.is_empty() => "it was given back".to_owned(),
+        (wgpu::DeviceLostReason::Unknown, text) if text.is_empty() => "its driver does not say why".to_owned(),
+        (_, text) => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing;
+
+    fn buffer(gpu: &Gpu, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        gpu.device().create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
+    }
+
+    /// One of its own: what is wrong with it must not reach the other tests.
+    fn fresh() -> Option<Gpu> {
+        testing::gpu().map(|shared| {
+            let choice = AdapterChoice::Named(shared.adapter().to_string());
+            Gpu::open(&choice).expect("opened before")
+        })
+    }
+
+    #[test]
+    fn a_destroyed_device_is_lost_and_nothing_panics() {
+        let Some(gpu) = fresh() else { return };
+        assert_eq!(gpu.check(), Ok(()));
+        gpu.device().destroy();
+        assert!(matches!(gpu.check(), Err(GpuError::Lost(_))), "{:?}", gpu.check());
+        let made = gpu.scoped(|| buffer(&gpu, 256, wgpu::BufferUsages::STORAGE));
+        assert!(matches!(made, Err(GpuError::Lost(_))), "{made:?}");
+        gpu.queue().submit([gpu.device().create_command_encoder(&Default::default()).finish()]);
+        assert!(matches!(gpu.wait(), Err(GpuError::Lost(_))));
+    }
+
+    #[test]
+    fn what_is_refused_comes_back() {
+        let Some(gpu) = fresh() else { return };
+        let refused = gpu.scoped(|| buffer(&gpu, gpu.limits().max_buffer_size + 1, wgpu::BufferUsages::STORAGE));
+        assert!(matches!(refused, Err(GpuError::Refused(_))), "{refused:?}");
+        assert!(gpu.scoped(|| buffer(&gpu, 256, wgpu::BufferUsages::STORAGE)).is_ok(), "it can go on");
+        assert_eq!(gpu.check(), Ok(()), "caught in its scope");
+
+        // MAP_READ goes with COPY_DST only. Outside a scope it would panic by default.
+        let wrong = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::STORAGE;
+        let _ = buffer(&gpu, 256, wrong);
+        assert!(matches!(gpu.check(), Err(GpuError::Refused(_))), "{:?}", gpu.check());
+        let _ = buffer(&gpu, u64::MAX, wgpu::BufferUsages::STORAGE);
+        let text = gpu.check().expect_err("it stays").to_string();
+        assert!(!text.contains('\n') && text.contains("MAP_READ"), "the first is kept: {text}");
+    }
+
+    #[test]
+    fn only_buffers_are_larger_than_the_defaults() {
+        let Some(gpu) = testing::gpu() else { return };
+        let (limits, default) = (gpu.device().limits(), wgpu::Limits::default());
+        assert_eq!(limits.max_buffer_size, gpu.adapter().limits.buffer);
+        assert_eq!(limits.max_storage_buffer_binding_size, gpu.adapter().limits.storage_binding);
+        assert_eq!(limits.max_storage_buffers_per_shader_stage, default.max_storage_buffers_per_shader_stage);
+        assert_eq!(limits.max_compute_invocations_per_workgroup, default.max_compute_invocations_per_workgroup);
+        assert!(gpu.device().features().is_empty(), "{:?}", gpu.device().features());
+    }
+
+    #[test]
+    fn a_loss_has_a_reason() {
+        use wgpu::DeviceLostReason::{Destroyed, Unknown};
+        assert_eq!(loss(Destroyed, ""), "it was given back");
+        assert_eq!(loss(Unknown, "\n"), "its driver does not say why");
+        assert_eq!(loss(Unknown, "fell off\n  the bus"), "fell off: the bus");
+    }
+
+    #[test]
+    fn an_unknown_name_opens_nothing() {
+        let Some(_) = testing::gpu() else { return };
+        let opened = Gpu::open(&AdapterChoice::Named("no such adapter".to_owned()));
+        assert!(matches!(opened, Err(GpuError::NoSuchAdapter { .. })), "{opened:?}");
     }
 }

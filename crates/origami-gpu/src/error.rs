@@ -1,12 +1,39 @@
 //! What can go wrong on a GPU.
 
+use crate::adapter::Lack;
+
 /// Why the GPU cannot be used, or stopped.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GpuError {
     /// There is no adapter.
-    #[error("no GPU adapter was found")]
+    #[error(
+        "no GPU adapter was found; `sudo apt-get install mesa-vulkan-drivers` on Debian and Ubuntu, \
+         or `sudo dnf install mesa-vulkan-drivers` on Fedora, installs a software one"
+    )]
     NoAdapter,
+    /// There are adapters, but none that is known to be hardware.
+    #[error("no GPU was found but {}; expected hardware", there.join(", "))]
+    NoHardware {
+        /// What is there, each as `name (backend)`.
+        there: Vec<String>,
+    },
+    /// None of the adapters has this name.
+    #[error("no GPU adapter is called {asked}; expected part of one of these: {}", there.join(", "))]
+    NoSuchAdapter {
+        /// What was asked for.
+        asked: String,
+        /// What is there, each as `name (backend)`.
+        there: Vec<String>,
+    },
+    /// The adapter stays behind `wgpu::Limits::default()`.
+    #[error("{adapter} cannot be used: {lack}")]
+    Unfit {
+        /// The adapter, as `name (backend)`.
+        adapter: String,
+        /// The limit.
+        lack: Lack,
+    },
     /// The adapter was taken away or crashed.
     #[error("the GPU was lost: {0}")]
     Lost(String),
@@ -23,7 +50,51 @@ pub enum GpuError {
         /// The adapter's limit.
         allowed: u64,
     },
-    /// A mistake of ours that wgpu refused.
+    /// The scene has more elements of a kind than one dispatch can count.
+    #[error("the sheet has {count} elements of a kind; one dispatch takes {allowed} (expected a smaller sheet)")]
+    TooManyElements {
+        /// How many there are.
+        count: u64,
+        /// How many are allowed.
+        allowed: u64,
+    },
+    /// A mistake of ours that wgpu refused, or a driver that fails.
     #[error("the GPU refused: {0}")]
     Refused(String),
+}
+
+impl From<wgpu::Error> for GpuError {
+    fn from(error: wgpu::Error) -> Self {
+        match error {
+            wgpu::Error::OutOfMemory { source } => Self::OutOfMemory(source.to_string()),
+            wgpu::Error::Validation { description, .. } | wgpu::Error::Internal { description, .. } => {
+                Self::Refused(one_line(&description))
+            }
+        }
+    }
+}
+
+/// wgpu tells of causes line by line, each further to the right.
+pub(crate) fn one_line(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    lines.join(": ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_an_adapter_one_sentence_tells_what_to_install() {
+        let text = GpuError::NoAdapter.to_string();
+        for command in ["`sudo apt-get install mesa-vulkan-drivers`", "`sudo dnf install mesa-vulkan-drivers`"] {
+            assert_eq!(text.matches(command).count(), 1, "{text}");
+        }
+        assert!(!text.contains('\n') && !text.contains("  "), "{text}");
+    }
+
+    #[test]
+    fn what_wgpu_says_over_several_lines_becomes_one() {
+        assert_eq!(one_line("In a buffer\n    it is\n\n      too large\n"), "In a buffer: it is: too large");
+    }
 }

@@ -1,10 +1,30 @@
 //! Bar-and-hinge origami simulation on the GPU: the solvers of `origami_core` in WGSL compute shaders, through wgpu.
 #![forbid(unsafe_code)]
 
+mod adapter;
 mod device;
+mod dynamics;
+mod engine;
+mod ensemble;
 mod error;
+mod inventory;
+mod kernels;
+mod layout;
+mod paper;
+mod pipeline;
+mod relax;
+mod run;
+mod scene;
+#[cfg(test)]
+mod shader_checks;
 mod solver;
+#[cfg(test)]
+mod testing;
+mod variant;
 
+pub use adapter::{AUTO_NODES, AdapterChoice, AdapterKind, AdapterLimits, AdapterSummary, Lack, adapters};
 pub use device::Gpu;
+pub use engine::{Dispatch, WORKGROUP_NODES};
 pub use error::GpuError;
+pub use paper::PaperDynamics;
 pub use solver::OnGpu;

@@ -1,10 +1,191 @@
 //! The solvers of the core, computed on a GPU.
 
-use crate::device::Gpu;
+use std::sync::Arc;
 
-/// A solver of the core that computes on a GPU.
+use glam::DVec3;
+use origami_core::forces::{Forces, damping};
+use origami_core::ids::NodeId;
+use origami_core::model::{Inventory, Model};
+use origami_core::solve::{Diverged, Failed, Folded, Instance, Progress, Session, Solver, State, Stop};
+
+use crate::device::Gpu;
+use crate::engine::{Dispatch, Engine, Purpose};
+use crate::error::GpuError;
+use crate::layout::{Control, NONE, Node, SETTLED, vector};
+use crate::run::Ending;
+use crate::variant::Motion;
+use crate::{ensemble, inventory};
+
+/// A solver of the core that computes on a GPU. The settings are those of the core's solver, and mean the same.
 #[derive(Clone, Debug)]
 pub struct OnGpu<S> {
     pub(crate) gpu: Gpu,
     pub(crate) method: S,
+    pub(crate) dispatch: Dispatch,
+}
+
+impl<S> OnGpu<S> {
+    /// The solver's settings.
+    pub fn method(&self) -> &S {
+        &self.method
+    }
+
+    /// Another way for the passes of a step to reach the GPU. Results differ by rounding only. Default:
+    /// [`Dispatch::Auto`].
+    #[must_use]
+    pub fn dispatch(self, dispatch: Dispatch) -> Self {
+        Self { dispatch, ..self }
+    }
+}
+
+/// What the core's solvers say of themselves, so that a GPU can do as they do.
+pub(crate) trait Method: Solver {
+    /// What an engine for it has to do. `damped`: whether some of the models have damping.
+    fn purpose(&self, damped: bool, dispatch: Dispatch) -> Purpose;
+
+    /// Runs instances, no more than the engine was built for, to their ends; results in their order.
+    fn run(
+        &self,
+        engine: &mut Engine,
+        instances: &[Instance<'_>],
+        observe: &mut dyn FnMut(usize, Progress),
+    ) -> Vec<Result<Folded, Failed>>;
+}
+
+impl<S: Method> Solver for OnGpu<S> {
+    fn fold(
+        &self,
+        model: &Model,
+        start: &State,
+        percent: f64,
+        observe: &mut dyn FnMut(Progress),
+    ) -> Result<Folded, Failed> {
+        self.session(model).fold(start, percent, observe)
+    }
+
+    fn session<'a>(&'a self, model: &'a Model) -> Box<dyn Session + 'a> {
+        let engine = Engine::new(&self.gpu, &[model], purpose(self, [model].into_iter()), 1);
+        Box::new(OneModel { method: &self.method, model, engine })
+    }
+
+    fn fold_all(
+        &self,
+        instances: &[Instance<'_>],
+        observe: &(dyn Fn(usize, Progress) + Sync),
+    ) -> Vec<Result<Folded, Failed>> {
+        let purpose = purpose(self, instances.iter().map(|i| i.model));
+        ensemble::fold_all(&self.gpu, &self.method, purpose, instances, observe)
+    }
+
+    fn inventory(&self, model: &Model) -> Inventory {
+        inventory::of(model, self.method.inventory(model), purpose(self, [model].into_iter()))
+    }
+}
+
+/// What an engine for `models` has to do.
+fn purpose<'m, S: Method>(solver: &OnGpu<S>, mut models: impl Iterator<Item = &'m Model>) -> Purpose {
+    solver.method.purpose(models.any(|m| m.material.zeta > 0.0), solver.dispatch)
+}
+
+/// The engine of one model stays from one percentage to the next.
+struct OneModel<'a, S> {
+    method: &'a S,
+    model: &'a Model,
+    engine: Result<Engine, GpuError>,
+}
+
+impl<S: Method> Session for OneModel<'_, S> {
+    fn fold(&mut self, start: &State, percent: f64, observe: &mut dyn FnMut(Progress)) -> Result<Folded, Failed> {
+        let engine = self.engine.as_mut().map_err(|error| backend(error.clone(), start, 0))?;
+        let instance = Instance { model: self.model, start: start.clone(), percent };
+        let mut results = self.method.run(engine, &[instance], &mut |_, progress| observe(progress));
+        results.pop().expect("one result for one instance")
+    }
+}
+
+/// A device that gave up, with the last state that is known.
+pub(crate) fn backend(error: GpuError, last: &State, step: u64) -> Failed {
+    Failed::Backend { source: Arc::new(error), last_read: Box::new(last.clone()), last_read_step: step }
+}
+
+/// How far an instance has come.
+pub(crate) fn progress(control: &Control) -> Progress {
+    let ramp = match control.ramp_length {
+        0 => 1.0,
+        length => f64::from(control.ramp_step) / f64::from(length),
+    };
+    Progress { step: u64::from(control.step), ramp, distance: distance(control) }
+}
+
+fn distance(control: &Control) -> f64 {
+    match f64::from(control.distance) {
+        // The shaders write so where they have no estimate.
+        none if none >= 1e30 => f64::INFINITY,
+        distance => distance,
+    }
+}
+
+/// What an instance came to. `steps_asked`: it was to run so many steps, and not to stop before.
+pub(crate) fn folded(
+    model: &Model,
+    percent: f64,
+    targets: Vec<f64>,
+    steps_asked: bool,
+    ending: &Ending,
+    motion: Motion,
+) -> Result<Folded, Failed> {
+    let control = &ending.control;
+    let time_step = f64::from(match motion {
+        Motion::Relax => control.fire_step,
+        Motion::Dynamics { .. } => control.time_step,
+    });
+    let angles = ending.creases.iter().map(|c| f64::from(c.angle)).collect();
+    let mut state = State {
+        positions: ending.nodes.iter().map(Node::position).collect(),
+        velocities: ending.nodes.iter().map(|n| vector(n.velocity)).collect(),
+        fold_angles: angles,
+        targets,
+    };
+    if control.bad_node != NONE {
+        return Err(diverged(model, ending, &state, time_step).into());
+    }
+    // Measured in double precision, at the state as it was read.
+    let mut forces = Forces::new(model);
+    let values = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles);
+    let residual = values.iter().map(|f| f.length()).fold(0.0, f64::max);
+    match motion {
+        Motion::Relax => state.velocities.fill(DVec3::ZERO),
+        Motion::Dynamics { verlet, .. } if !verlet || control.step == 0 => {}
+        Motion::Dynamics { .. } => {
+            // The velocity that was stored is the one extrapolated by the acceleration before.
+            damping::add(model, &state.velocities, values);
+            for ((v, f), node) in state.velocities.iter_mut().zip(values).zip(&ending.nodes) {
+                *v += (*f - vector(node.force)) * (0.5 * time_step);
+            }
+        }
+    }
+    let stop = match control.stop {
+        SETTLED => Stop::Converged,
+        _ if steps_asked => Stop::StepsDone,
+        _ => Stop::StepLimit,
+    };
+    let steps = u64::from(control.step);
+    Ok(Folded { state, percent, stop, steps, time_step, residual, distance: distance(control), attempts: 1 })
+}
+
+fn diverged(model: &Model, ending: &Ending, state: &State, time_step: f64) -> Diverged {
+    let control = &ending.control;
+    let node = control.bad_node as usize;
+    let last_good = match &ending.kept {
+        Some((nodes, angles)) => State {
+            positions: nodes.iter().map(Node::position).collect(),
+            velocities: nodes.iter().map(|n| vector(n.velocity)).collect(),
+            fold_angles: angles.iter().map(|a| f64::from(*a)).collect(),
+            targets: state.targets.clone(),
+        },
+        None => State::at_rest(model),
+    };
+    let moved = state.velocities[node] * time_step;
+    let place = (NodeId::new(node), state.positions[node], moved);
+    Diverged::new(model, place, u64::from(control.step), Box::new(last_good), u64::from(control.kept_step))
 }

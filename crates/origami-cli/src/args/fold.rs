@@ -27,6 +27,9 @@ Exit codes:
   3  the step limit came before convergence; the output is written and says so
   Of several inputs the most severe counts, in the order 1, 2, 3, 0; none stops the others.";
 
+/// The environment variable that stands in for `--adapter`.
+pub(crate) const ADAPTER_VARIABLE: &str = "ORIGAMI_ADAPTER";
+
 /// Fold crease patterns.
 ///
 /// Reads FOLD files, folds each sheet to a percentage of its fold angles and writes the folded form. The units and the
@@ -83,6 +86,12 @@ pub(crate) struct FoldArgs {
     #[command(flatten)]
     pub(crate) solving: SolvingArgs,
 
+    /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.003]
+    ///
+    /// A symmetric sheet would else stay on the saddle between two ways to buckle. Larger: saddles are left sooner.
+    #[arg(long, value_name = "X", value_parser = share, help_heading = "Solver")]
+    pub(crate) perturbation: Option<f64>,
+
     /// The paper.
     #[command(flatten)]
     pub(crate) material: MaterialArgs,
@@ -95,6 +104,12 @@ pub(crate) struct SolvingArgs {
     /// What computes
     #[arg(long, value_enum, value_name = "BACKEND", default_value_t = BackendName::Auto)]
     pub(crate) backend: BackendName,
+
+    /// The GPU adapter to use: part of a name that `origami adapters` lists, in whatever case [default: the first]
+    ///
+    /// `--backend auto` takes it only if it is hardware.
+    #[arg(long, value_name = "NAME", env = ADAPTER_VARIABLE, hide_env_values = true)]
+    pub(crate) adapter: Option<String>,
 
     /// How the folded state is found
     #[arg(long, value_enum, value_name = "SOLVER", default_value_t = SolverName::Relax)]
@@ -117,12 +132,6 @@ pub(crate) struct SolvingArgs {
     #[arg(long, value_name = "N")]
     pub(crate) ramp: Option<u32>,
 
-    /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.003]
-    ///
-    /// A symmetric sheet would else stay on the saddle between two ways to buckle. Larger: saddles are left sooner.
-    #[arg(long, value_name = "X", value_parser = share)]
-    pub(crate) perturbation: Option<f64>,
-
     /// Length of a step of dynamics: `paper`, `safe` or a number [default: paper]
     ///
     /// `paper` is the paper's, which blows up on thin triangles, hubs and stiff creases. `safe` is a bound that holds,
@@ -138,11 +147,11 @@ pub(crate) struct SolvingArgs {
 /// What computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum BackendName {
-    /// The best there is
+    /// A hardware GPU, if there is one, for 10000 vertices or more; else the processor
     Auto,
     /// The processor
     Cpu,
-    /// The graphics card; not in this build
+    /// A GPU; a software one where there is no other
     Gpu,
 }
 
@@ -182,9 +191,17 @@ mod tests {
 
     #[test]
     fn the_text_tells_the_default_of_perturbation() {
-        let definition = SolvingArgs::augment_args(clap::Command::new("test"));
+        let definition = FoldArgs::augment_args(clap::Command::new("test"));
         let help = definition.get_arguments().find(|a| a.get_id() == "perturbation").and_then(|a| a.get_help());
         let default = format!("[default: {}]", Relax::default().perturbation);
         assert!(help.expect("perturbation has a help text").to_string().ends_with(&default));
+    }
+
+    #[cfg(feature = "gpu")]
+    #[test]
+    fn the_text_tells_from_which_size_a_gpu_is_taken() {
+        let auto = BackendName::Auto.to_possible_value();
+        let text = auto.as_ref().and_then(|value| value.get_help()).expect("auto has a help text").to_string();
+        assert!(text.contains(&format!("for {} vertices or more", origami::gpu::AUTO_NODES)), "{text}");
     }
 }

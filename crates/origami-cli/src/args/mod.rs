@@ -1,15 +1,20 @@
 //! The command line, one file a command. Defaults of the simulation come from the library.
 
+mod adapters;
 mod fold;
 mod info;
+mod list;
 mod material;
 mod pattern;
+mod sweep;
 mod values;
 
-pub(crate) use fold::{BackendName, FoldArgs, IntegratorName, SolverName};
+pub(crate) use adapters::AdaptersArgs;
+pub(crate) use fold::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, SolverName, SolvingArgs};
 pub(crate) use info::InfoArgs;
 pub(crate) use material::MaterialArgs;
 pub(crate) use pattern::PatternArgs;
+pub(crate) use sweep::SweepArgs;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
@@ -37,6 +42,7 @@ Examples:
   origami info miura.fold                                  See what is in a file
   origami fold miura.fold --percent 60 -o folded.fold      Fold it
   origami fold --help                                      More of these, and all settings
+  origami sweep miura.fold --percent 0:100:5 -o out        Fold it in many ways
 
 Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.";
 
@@ -44,8 +50,10 @@ Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.
 #[derive(Subcommand)]
 pub(crate) enum Command {
     Fold(Box<FoldArgs>),
+    Sweep(Box<SweepArgs>),
     Info(InfoArgs),
     Pattern(PatternArgs),
+    Adapters(AdaptersArgs),
     /// Write a completion script for a shell to standard output.
     #[command(after_help = "Example:\n  origami completions bash > ~/.local/share/bash-completion/completions/origami")]
     Completions {

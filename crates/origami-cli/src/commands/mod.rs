@@ -1,8 +1,10 @@
 //! What each command does.
 
+mod adapters;
 mod fold;
 mod info;
 mod pattern;
+mod sweep;
 mod texts;
 
 use crate::args::{Cli, Command};
@@ -15,8 +17,10 @@ use crate::exit::{Exit, Failure};
 pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
     match cli.command {
         Command::Fold(args) => fold::run(&args),
+        Command::Sweep(args) => sweep::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Pattern(args) => pattern::run(&args),
+        Command::Adapters(args) => adapters::run(&args),
         Command::Completions { shell } => texts::completions(shell),
         Command::Man => texts::man(),
     }

@@ -31,6 +31,8 @@ pub(crate) enum Ending {
     Converged,
     StepsDone,
     StepLimit,
+    /// What computes gave up; in a sweep only.
+    Failed,
     /// Also what holds of a state that no solver arrived at.
     #[default]
     Diverged,

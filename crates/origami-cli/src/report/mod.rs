@@ -1,10 +1,14 @@
 //! `--report`: what was built, done and measured, as JSON. docs/REPORT.md documents every key; they stay as they are.
 
+mod adapter;
 mod measured;
 mod scene;
+mod sweep;
 
+pub(crate) use adapter::{Adapter, AdapterDetails};
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use scene::{Note, Scene};
+pub(crate) use sweep::{Row, Table, Varied, write_csv, write_json};
 
 use origami::solve::{Diverged, Quantity};
 use serde::Serialize;
@@ -31,8 +35,10 @@ pub(crate) struct Run {
     pub(crate) input: String,
     /// `relax` or `dynamics`.
     pub(crate) solver: &'static str,
-    /// `cpu`.
+    /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,
+    /// The GPU.
+    pub(crate) adapter: Option<Adapter>,
     /// What was built.
     #[serde(flatten)]
     pub(crate) scene: Scene,

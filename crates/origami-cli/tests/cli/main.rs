@@ -3,6 +3,7 @@
 
 mod batch;
 mod fold;
+mod gpu;
 mod help;
 mod info;
 mod mutations;
@@ -10,4 +11,5 @@ mod pattern;
 mod place;
 mod report;
 mod streams;
+mod sweep;
 mod usage;

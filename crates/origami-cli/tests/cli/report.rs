@@ -6,10 +6,11 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 29] = [
+const KEYS: [&str; 30] = [
     "input",
     "solver",
     "backend",
+    "adapter",
     "percent",
     "vertices",
     "beams",
@@ -82,6 +83,7 @@ fn the_numbers_are_those_of_a_square_with_a_diagonal() {
     assert_eq!(counts, [4, 5, 1, 2, 2]);
     assert_eq!(report["built"][0], json!({"what": "beams", "count": 5}));
     assert_eq!((&report["solver"], &report["backend"]), (&json!("relax"), &json!("cpu")));
+    assert_eq!(report["adapter"], Value::Null);
     assert_eq!((&report["percent"], &report["tolerance"]), (&json!(50.0), &json!(1e-6)));
     assert_eq!(
         (&report["converged"], &report["stop"], &report["attempts"]),

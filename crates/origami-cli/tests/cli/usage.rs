@@ -23,7 +23,7 @@ fn bad_usage_is_1_and_names_what_is_wrong() {
         ("fold square.fold -o a.fold --steps -3", "-3"),
         ("fold square.fold -o a.fold --frames 0", "0 is not in 1..=100000"),
         ("fold square.fold -o a.fold --threads 0", "--threads"),
-        ("fold square.fold -o a.fold --backend gpu", "this build has no GPU backend"),
+        ("fold square.fold -o a.fold --backend tpu", "auto, cpu, gpu"),
         ("fold square.fold -o a.png", "a.png: the format .png is not known; expected .fold, .obj or .stl"),
         ("fold square.fold -o a", "a: no extension tells the format; expected .fold, .obj or .stl"),
         ("fold square.fold -o away/a.fold", "away/a.fold: there is no folder away"),
@@ -74,4 +74,9 @@ fn options_without_effect_are_told() {
     place.run("fold square.fold -o a.fold --solver dynamics --zeta 0.1").succeeds();
     let ran = place.run("fold square.fold -o a.fold --solver dynamics --perturbation 0.1");
     assert_eq!(ran.stderr, "warning: --perturbation has no effect with --solver dynamics\n");
+    let ran = place.run("fold square.fold -o a.fold --backend cpu --adapter llvmpipe");
+    assert_eq!(ran.stderr, "warning: --adapter has no effect with --backend cpu\n");
+    let words = "fold square.fold -o a.fold --backend cpu".split(' ');
+    let output = place.command().args(words).env("ORIGAMI_ADAPTER", "llvmpipe").output().unwrap();
+    assert!(output.stderr.is_empty(), "what the environment names is not meant for this run alone");
 }

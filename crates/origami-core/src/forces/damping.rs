@@ -26,6 +26,11 @@ pub(crate) fn add_forces(model: &Model, coefficients: &[f64], velocities: &[DVec
     }
 }
 
+/// Adds the damping of nodes that move at `velocities` to `forces`; fixed nodes feel none, nor any other force.
+pub fn add(model: &Model, velocities: &[DVec3], forces: &mut [DVec3]) {
+    add_forces(model, &coefficients(model), velocities, forces);
+}
+
 /// The damping force on each node moving at `velocities`.
 #[must_use]
 pub fn forces(model: &Model, velocities: &[DVec3]) -> Vec<DVec3> {

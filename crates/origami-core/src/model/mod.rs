@@ -2,16 +2,19 @@
 
 mod build;
 mod elements;
+mod grid;
 mod inventory;
 mod material;
 mod normalisation;
 
 pub use elements::{Beam, CornerAngles, Crease};
+pub use grid::MaterialGrid;
 pub use inventory::{Built, Inventory, LeftOut};
 pub use material::Material;
 pub use normalisation::Normalisation;
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use crate::error::Error;
 use crate::ids::NodeId;
@@ -52,9 +55,18 @@ impl Model {
     /// # Errors
     /// [`Error::Invalid`] for a material out of range, a face that cannot be triangulated, a beam of no length.
     pub fn new(pattern: &CreasePattern, material: &Material) -> Result<Self, Error> {
-        let triangulation = triangulate::triangulate(pattern)?;
-        let mesh = Mesh::new(pattern, &triangulation.triangles, triangulation.face_of)?;
-        build::build(pattern, mesh, material)
+        build::build(pattern, mesh(pattern)?, material)
+    }
+
+    /// One model for each of `materials`, in their order, as [`Model::new`] makes them. The pattern is triangulated once.
+    ///
+    /// # Errors
+    /// As for [`Model::new`], of the first material that has one.
+    pub fn of_each(pattern: &CreasePattern, materials: &[Material]) -> Result<Vec<Self>, Error> {
+        let mesh = mesh(pattern)?;
+        let models = materials.par_iter().map(|material| build::build(pattern, mesh.clone(), material));
+        // Collected at once, rayon would give any of several errors.
+        models.collect::<Vec<_>>().into_iter().collect()
     }
 
     /// How many nodes there are.
@@ -80,4 +92,9 @@ impl Model {
         let alias = |i: usize| pattern.alias_of.get(i).copied().flatten();
         (0..pattern.vertices.len()).map(|i| own(alias(i).map_or(i, |v| v.index()))).collect()
     }
+}
+
+fn mesh(pattern: &CreasePattern) -> Result<Mesh, Error> {
+    let triangulation = triangulate::triangulate(pattern)?;
+    Mesh::new(pattern, &triangulation.triangles, triangulation.face_of)
 }

@@ -13,8 +13,10 @@ mod perturb;
 mod ramp;
 pub mod relax;
 pub mod row_sums;
+mod session;
 pub mod settle;
 mod state;
+mod sweep;
 pub mod time_step;
 
 pub use dynamics::{Dynamics, Integrator};
@@ -23,7 +25,9 @@ pub use failed::Failed;
 pub use guard::{Diverged, Quantity};
 pub use path::{PathFailed, fold_path, frame_percents};
 pub use relax::{Relax, default_ramp};
+pub use session::Session;
 pub use state::State;
+pub use sweep::{Point, Sweep};
 pub use time_step::TimeStep;
 
 use glam::DVec3;
@@ -57,6 +61,11 @@ pub trait Solver: Send + Sync {
         percent: f64,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed>;
+
+    /// Folds `model` more than once: to one percentage after the other.
+    fn session<'a>(&'a self, model: &'a Model) -> Box<dyn Session + 'a> {
+        Box::new(session::Direct { solver: self, model })
+    }
 
     /// Folds many sheets at once, each as [`Solver::fold`] would; the results come in the order of `instances`. On the
     /// processor one takes a thread. `observe` is told the place of an instance and how far it has come.

@@ -35,9 +35,10 @@ pub fn fold_path(
     observe: &mut dyn FnMut(usize, Progress),
 ) -> Result<Vec<Folded>, PathFailed> {
     let mut states: Vec<Folded> = Vec::with_capacity(percents.len());
+    let mut session = solver.session(model);
     for (stage, &percent) in percents.iter().enumerate() {
         let start = states.last().map_or_else(|| State::at_rest(model), |folded| folded.state.clone());
-        match solver.fold(model, &start, percent, &mut |progress| observe(stage, progress)) {
+        match session.fold(&start, percent, &mut |progress| observe(stage, progress)) {
             Ok(folded) => states.push(folded),
             Err(failed) => return Err(PathFailed { states, percent, failed }),
         }

@@ -162,7 +162,7 @@ impl Relax {
     pub fn beginning(&self, model: &Model, start: &State, percent: f64) -> State {
         let mut state = State { velocities: vec![glam::DVec3::ZERO; model.node_count()], ..start.clone() };
         if self.perturbation > 0.0 && model.targets(percent) != start.targets {
-            perturb(model, &mut state.positions, self.perturbation);
+            perturb(model, &mut state.positions, self.perturbation, 0);
         }
         state
     }

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::perturb::perturb;
 use crate::forces::{Energy, creases};
 use crate::model::Model;
 
@@ -44,6 +45,20 @@ impl State {
         let fold_angles = creases::fold_angles(model, &positions, &vec![0.0; model.creases.len()]);
         let velocities = vec![DVec3::ZERO; positions.len()];
         Self { positions, velocities, targets: fold_angles.clone(), fold_angles }
+    }
+
+    /// The sheet at rest, each free node moved by up to `share` of its shortest beam in each direction; every `seed` has
+    /// directions of its own. The fold angles stay those of the sheet at rest, until a solver takes them.
+    ///
+    /// [`super::Relax`] begins in the same way with its own `perturbation` and seed 0; with a perturbation of 0 it takes
+    /// what it is given. Unlike that, this moves the nodes whether or not there is something to be folded.
+    #[must_use]
+    pub fn perturbed(model: &Model, share: f64, seed: u64) -> Self {
+        let mut state = Self::at_rest(model);
+        if share != 0.0 {
+            perturb(model, &mut state.positions, share, seed);
+        }
+        state
     }
 
     /// Energy by kind of spring.

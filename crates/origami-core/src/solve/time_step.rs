@@ -38,7 +38,16 @@ pub fn safe(model: &Model, positions: &[DVec3], integrator: Integrator) -> f64 {
     row_sums(model, positions, &mut sums);
     let stiffness = sums.iter().fold(0.0, |a: f64, b| a.max(*b));
 
-    sums.fill(0.0);
+    let damping = damping_sum(model, integrator);
+    // (-D + sqrt(D^2 + 4 K)) / K without the difference of nearly equal numbers.
+    0.9 * 4.0 / (damping + (damping * damping + 4.0 * stiffness).sqrt())
+}
+
+/// The D of [`safe`]: the largest sum of twice the damping coefficients at a node, and twice that for
+/// [`Integrator::Verlet`].
+#[must_use]
+pub fn damping_sum(model: &Model, integrator: Integrator) -> f64 {
+    let mut sums = vec![0.0; model.node_count()];
     for (beam, c) in model.beams.iter().zip(damping::coefficients(model)) {
         for n in beam.nodes {
             sums[n.index()] += 2.0 * c;
@@ -48,7 +57,5 @@ pub fn safe(model: &Model, positions: &[DVec3], integrator: Integrator) -> f64 {
         Integrator::Euler => 1.0,
         Integrator::Verlet => 2.0,
     };
-    let damping = share * sums.iter().fold(0.0, |a: f64, b| a.max(*b));
-    // (-D + sqrt(D^2 + 4 K)) / K without the difference of nearly equal numbers.
-    0.9 * 4.0 / (damping + (damping * damping + 4.0 * stiffness).sqrt())
+    share * sums.iter().fold(0.0, |a: f64, b| a.max(*b))
 }

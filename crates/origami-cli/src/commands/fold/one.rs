@@ -1,7 +1,5 @@
 //! One input: read, build, solve, write.
 
-use std::time::Instant;
-
 use origami::model::Model;
 use origami::solve::{Failed, Progress, Stop, fold_path};
 use origami::{CreasePattern, Error};
@@ -11,6 +9,7 @@ use crate::exit::Exit;
 use crate::files::{self, Input, Sheet, Target};
 use crate::report::{Divergence, Ending, Measured, Report, Run, Scene, Seconds};
 use crate::settings::Settings;
+use crate::stopwatch::Stopwatch;
 
 /// What came of one input.
 pub(super) struct Finished {
@@ -60,13 +59,16 @@ fn attempt(
     let model = Model::new(&pattern, &settings.material)?;
     seconds.build = watch.lap();
 
-    let scene = Scene::new(&pattern, &model, &settings.solver.inventory(&model), &pattern.warnings);
-    let solved = fold_path(&model, settings.solver.as_ref(), &settings.percents, observe);
+    let place = settings.backend.place(&settings.method, model.node_count());
+    told.warnings.extend(place.warning);
+    let scene = Scene::new(&pattern, &model, &place.solver.inventory(&model), &pattern.warnings);
+    let solved = fold_path(&model, place.solver.as_ref(), &settings.percents, observe);
     seconds.solve = watch.lap();
     let mut run = Run {
         input: input.to_string(),
         solver: settings.solver_name.name(),
-        backend: "cpu",
+        backend: if place.adapter.is_some() { "gpu" } else { "cpu" },
+        adapter: place.adapter,
         scene,
         tolerance: settings.tolerance,
         measured: Measured::default(),
@@ -135,21 +137,5 @@ fn overall(frames: &[Measured]) -> Measured {
         stop: limited.map_or(last.stop, |frame| frame.stop),
         attempts: frames.iter().map(|frame| frame.attempts).max().unwrap_or(0),
         ..last
-    }
-}
-
-struct Stopwatch(Instant);
-
-impl Stopwatch {
-    fn start() -> Self {
-        Self(Instant::now())
-    }
-
-    /// Seconds since the last lap.
-    fn lap(&mut self) -> f64 {
-        let now = Instant::now();
-        let seconds = (now - self.0).as_secs_f64();
-        self.0 = now;
-        seconds
     }
 }

@@ -30,7 +30,7 @@ pub(super) fn line(run: &Run) -> String {
     line += match measured.stop {
         Ending::Converged => "converged",
         Ending::StepsDone => "as many as asked",
-        Ending::StepLimit | Ending::Diverged => "not converged",
+        Ending::StepLimit | Ending::Failed | Ending::Diverged => "not converged",
     };
     line += &match measured.distance {
         Some(distance) if distance.is_finite() => format!(" (distance {} of the radius)", short(distance)),
@@ -44,6 +44,9 @@ pub(super) fn line(run: &Run) -> String {
     }
     if measured.attempts > 1 {
         line += &format!(", the best of {} attempts", measured.attempts);
+    }
+    if let Some(adapter) = run.adapter.as_ref().filter(|adapter| adapter.is_software()) {
+        line += &format!(", on {} (software)", adapter.name);
     }
     let seconds = run.seconds;
     let total = seconds.read + seconds.build + seconds.solve + seconds.write;

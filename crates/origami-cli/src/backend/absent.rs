@@ -1,0 +1,44 @@
+//! A build without the feature `gpu`.
+
+use super::{Method, Place};
+use crate::args::BackendName;
+use crate::report::AdapterDetails;
+
+const ABSENT: &str = "this build has no GPU backend (feature `gpu`)";
+
+/// The processor.
+pub(crate) struct Backend;
+
+impl Backend {
+    /// Whatever else is wanted is refused.
+    ///
+    /// # Errors
+    /// How to build a program that has it.
+    pub(crate) fn new(wanted: BackendName, _adapter: Option<&str>) -> Result<Self, String> {
+        match wanted {
+            BackendName::Auto | BackendName::Cpu => Ok(Self),
+            BackendName::Gpu => Err(format!(
+                "--backend gpu: {ABSENT}; expected auto or cpu, or a build without --no-default-features or with \
+                 --features gpu"
+            )),
+        }
+    }
+
+    /// The processor, whatever the size.
+    pub(crate) fn place(&self, method: &Method, _nodes: usize) -> Place {
+        Place::processor(method)
+    }
+}
+
+/// None can be seen.
+///
+/// # Errors
+/// Always.
+pub(crate) fn adapters() -> Result<Vec<AdapterDetails>, String> {
+    Err(ABSENT.to_owned())
+}
+
+/// What to do where there is none.
+pub(crate) fn none() -> String {
+    ABSENT.to_owned()
+}

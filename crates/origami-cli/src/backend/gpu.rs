@@ -1,0 +1,115 @@
+//! A build with the feature `gpu`.
+
+use std::sync::OnceLock;
+
+use origami::Warning;
+use origami::gpu::{self, AUTO_NODES, AdapterChoice, AdapterSummary, Gpu, GpuError};
+use origami::solve::Solver;
+
+use super::{Method, Place};
+use crate::args::BackendName;
+use crate::report::{Adapter, AdapterDetails};
+
+/// The processor and a GPU, which is opened at most once, and only when it is needed.
+pub(crate) struct Backend {
+    wanted: BackendName,
+    /// Part of the name of an adapter.
+    named: Option<String>,
+    opened: OnceLock<Result<Gpu, GpuError>>,
+}
+
+impl Backend {
+    /// Opens the GPU if that is what is wanted.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub(crate) fn new(wanted: BackendName, adapter: Option<&str>) -> Result<Self, String> {
+        let named = adapter.map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned);
+        let backend = Self { wanted, named, opened: OnceLock::new() };
+        if wanted == BackendName::Gpu
+            && let Err(error) = backend.open()
+        {
+            return Err(format!("--backend gpu: {error}"));
+        }
+        Ok(backend)
+    }
+
+    /// Where a sheet of so many nodes is folded.
+    pub(crate) fn place(&self, method: &Method, nodes: usize) -> Place {
+        let worth_it = match self.wanted {
+            BackendName::Cpu => false,
+            BackendName::Gpu => true,
+            BackendName::Auto => nodes >= AUTO_NODES,
+        };
+        if !worth_it {
+            return Place::processor(method);
+        }
+        match self.open() {
+            Ok(gpu) if self.wanted == BackendName::Gpu || gpu.adapter().kind.is_hardware() => on_gpu(gpu, method),
+            Ok(gpu) => self.passed_over(method, &format!("{} is not hardware; --backend gpu takes it", gpu.adapter())),
+            Err(error) => self.passed_over(method, &error.to_string()),
+        }
+    }
+
+    fn open(&self) -> Result<&Gpu, &GpuError> {
+        let open = || {
+            Gpu::open(&match (&self.named, self.wanted) {
+                (Some(name), _) => AdapterChoice::Named(name.clone()),
+                (None, BackendName::Auto) => AdapterChoice::Hardware,
+                (None, _) => AdapterChoice::Any,
+            })
+        };
+        self.opened.get_or_init(open).as_ref()
+    }
+
+    /// The processor, which is a surprise only to those who have named an adapter.
+    fn passed_over(&self, method: &Method, why: &str) -> Place {
+        let warning =
+            self.named.as_ref().map(|_| Warning::new("--backend auto", format!("the processor, since {why}")));
+        Place { warning, ..Place::processor(method) }
+    }
+}
+
+fn on_gpu(gpu: &Gpu, method: &Method) -> Place {
+    let solver: Box<dyn Solver> = match method {
+        Method::Relax(relax) => Box::new(gpu.with(relax.clone())),
+        Method::Dynamics(dynamics) => Box::new(gpu.with(dynamics.clone())),
+    };
+    Place { solver, adapter: Some(Adapter::from(gpu.adapter())), warning: None }
+}
+
+impl From<&AdapterSummary> for Adapter {
+    fn from(adapter: &AdapterSummary) -> Self {
+        let AdapterSummary { name, kind, driver, backend, .. } = adapter;
+        Self { name: name.clone(), kind: kind.to_string(), driver: driver.clone(), backend }
+    }
+}
+
+impl From<&AdapterSummary> for AdapterDetails {
+    fn from(summary: &AdapterSummary) -> Self {
+        let limits = summary.limits;
+        Self {
+            adapter: Adapter::from(summary),
+            storage_buffers_per_stage: limits.storage_buffers_per_stage,
+            invocations_per_workgroup: limits.invocations_per_workgroup,
+            workgroup_storage: limits.workgroup_storage,
+            storage_binding: limits.storage_binding,
+            buffer: limits.buffer,
+            unfit: summary.lacks.map(|lack| lack.to_string()),
+        }
+    }
+}
+
+/// All that there are, hardware first.
+///
+/// # Errors
+/// None; a build without GPUs has one.
+#[expect(clippy::unnecessary_wraps, reason = "a build without GPUs has nothing to list")]
+pub(crate) fn adapters() -> Result<Vec<AdapterDetails>, String> {
+    Ok(gpu::adapters().iter().map(AdapterDetails::from).collect())
+}
+
+/// What to do where there is none.
+pub(crate) fn none() -> String {
+    GpuError::NoAdapter.to_string()
+}

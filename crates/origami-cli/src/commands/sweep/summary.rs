@@ -1,0 +1,152 @@
+//! What a person is told of a sweep.
+
+use std::time::Duration;
+
+use crate::exit::Exit;
+use crate::numbers::{count, duration, grouped, plain, share, short};
+use crate::report::{Ending, Row, Table};
+
+/// How many sheets ended in each way.
+pub(super) struct Counts {
+    converged: usize,
+    steps_done: usize,
+    step_limit: usize,
+    diverged: usize,
+    failed: usize,
+}
+
+impl Counts {
+    pub(super) fn of(rows: &[Row]) -> Self {
+        let of = |ending| rows.iter().filter(|row| row.measured.stop == ending).count();
+        Self {
+            converged: of(Ending::Converged),
+            steps_done: of(Ending::StepsDone),
+            step_limit: of(Ending::StepLimit),
+            diverged: of(Ending::Diverged),
+            failed: of(Ending::Failed),
+        }
+    }
+
+    /// The most severe.
+    pub(super) fn exit(&self) -> Exit {
+        match self {
+            Self { failed: 1.., .. } => Exit::BadInput,
+            Self { diverged: 1.., .. } => Exit::Diverged,
+            Self { step_limit: 1.., .. } => Exit::NotConverged,
+            _ => Exit::Done,
+        }
+    }
+
+    /// Such as `bird.fold: 63 sheets, 62 converged, 1 diverged, strain mean 0.0012 % to 1.4 %, 120 ms`.
+    pub(super) fn line(&self, table: &Table) -> String {
+        let mut line = format!("{}: {}", table.input, count(table.instances.len(), "sheet", "sheets"));
+        let endings = [
+            (self.converged, "converged"),
+            (self.steps_done, "with the asked number of steps"),
+            (self.step_limit, "not converged"),
+            (self.diverged, "diverged"),
+            (self.failed, "failed"),
+        ];
+        for (number, ending) in endings.iter().filter(|(number, _)| *number > 0) {
+            line += &format!(", {} {ending}", grouped(*number as u64));
+        }
+        let strains = || table.instances.iter().filter_map(|row| Some(row.measured.strain?.mean));
+        if let (Some(least), Some(most)) = (strains().reduce(f64::min), strains().reduce(f64::max)) {
+            line += &format!(", strain mean {} to {}", share(least), share(most));
+        }
+        if let Some(adapter) = table.adapter.as_ref().filter(|adapter| adapter.is_software()) {
+            line += &format!(", on {} (software)", adapter.name);
+        }
+        let seconds = table.seconds;
+        let total = seconds.read + seconds.build + seconds.solve + seconds.write;
+        line + &format!(", {}", duration(Duration::from_secs_f64(total)))
+    }
+
+    /// A message for each way to end badly, with the first sheet that did. `divergence` is the message of the first that
+    /// diverged.
+    pub(super) fn complaints(&self, table: &Table, divergence: Option<&str>, advice: &str) -> Vec<String> {
+        let all = grouped(table.instances.len() as u64);
+        let mut complaints = Vec::new();
+        let mut complain = |number: usize, ending: Ending, how: &str, what: &dyn Fn(&Row) -> String| {
+            if let Some(row) = table.instances.iter().find(|row| row.measured.stop == ending) {
+                complaints.push(format!(
+                    "{}: {} of {all} {how}; the first is {} at {} %: {}",
+                    table.input,
+                    grouped(number as u64),
+                    row.index,
+                    plain(row.measured.percent),
+                    what(row)
+                ));
+            }
+        };
+        let why = divergence.unwrap_or_default();
+        complain(self.failed, Ending::Failed, "failed", &|row| row.error.clone().unwrap_or_default());
+        complain(self.diverged, Ending::Diverged, "diverged", &|_| format!("{why}; {advice}"));
+        complain(self.step_limit, Ending::StepLimit, "not converged", &|row| {
+            let distance = match row.measured.distance {
+                Some(d) if d.is_finite() => format!("about {} of the radius from the equilibrium", short(d)),
+                _ => "an unknown distance from the equilibrium".to_owned(),
+            };
+            let steps = grouped(row.measured.steps);
+            let tolerance = short(table.tolerance);
+            format!(
+                "{distance} after {steps} steps, expected {tolerance}; more --max-steps or a larger --tolerance may help"
+            )
+        });
+        complaints
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use origami::model::Material;
+    use origami::solve::Point;
+
+    use super::*;
+    use crate::report::{Measured, Seconds, Varied};
+
+    /// A table of sheets that ended so; none of them has been measured.
+    fn table(endings: &[Ending]) -> Table {
+        let point = Point { material: 0, perturbation: 0.0, seed: 0, percent: 50.0 };
+        let row = |(index, stop): (usize, &Ending)| Row {
+            index,
+            scene: 0,
+            varied: Varied::new(&Material::default(), &point),
+            measured: Measured { percent: 50.0, stop: *stop, ..Measured::default() },
+            diverged: None,
+            error: (*stop == Ending::Failed).then(|| "the adapter was lost".to_owned()),
+            outputs: Vec::new(),
+        };
+        Table {
+            input: "a.fold".to_owned(),
+            solver: "relax",
+            backend: "cpu",
+            adapter: None,
+            tolerance: 1e-4,
+            scenes: Vec::new(),
+            instances: endings.iter().enumerate().map(row).collect(),
+            seconds: Seconds::default(),
+        }
+    }
+
+    #[test]
+    fn the_most_severe_ending_counts_and_each_is_told() {
+        let all = [Ending::Converged, Ending::StepsDone, Ending::StepLimit, Ending::Diverged, Ending::Failed];
+        let exits = (1..=all.len()).map(|n| Counts::of(&table(&all[..n]).instances).exit());
+        let expected = [Exit::Done, Exit::Done, Exit::NotConverged, Exit::Diverged, Exit::BadInput];
+        assert_eq!(exits.collect::<Vec<_>>(), expected);
+
+        let table = table(&all);
+        let counts = Counts::of(&table.instances);
+        let line = "a.fold: 5 sheets, 1 converged, 1 with the asked number of steps, 1 not converged, 1 diverged, 1 failed, 0 ms";
+        assert_eq!(counts.line(&table), line);
+        let complaints = counts.complaints(&table, Some("diverged at step 3"), "try less");
+        let expected = [
+            "a.fold: 1 of 5 failed; the first is 4 at 50 %: the adapter was lost",
+            "a.fold: 1 of 5 diverged; the first is 3 at 50 %: diverged at step 3; try less",
+            "a.fold: 1 of 5 not converged; the first is 2 at 50 %: an unknown distance from the equilibrium after 0 steps",
+        ];
+        assert_eq!(complaints.len(), 3);
+        assert!(complaints.iter().zip(expected).all(|(told, expected)| told.starts_with(expected)), "{complaints:?}");
+    }
+}

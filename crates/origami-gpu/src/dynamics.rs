@@ -1,0 +1,56 @@
+//! The paper's motion on a GPU.
+
+use origami_core::solve::{Dynamics, Failed, Folded, Instance, Integrator, Progress, TimeStep, time_step};
+
+use crate::engine::{Dispatch, Engine, Purpose};
+use crate::layout::Control;
+use crate::run::Beginning;
+use crate::solver::{Method, backend, folded, progress};
+use crate::variant::Motion;
+
+impl Method for Dynamics {
+    fn purpose(&self, damped: bool, dispatch: Dispatch) -> Purpose {
+        let verlet = self.integrator == Integrator::Verlet;
+        Purpose { motion: Motion::Dynamics { verlet, damped }, safe: self.time_step == TimeStep::Safe, dispatch }
+    }
+
+    fn run(
+        &self,
+        engine: &mut Engine,
+        instances: &[Instance<'_>],
+        observe: &mut dyn FnMut(usize, Progress),
+    ) -> Vec<Result<Folded, Failed>> {
+        let beginnings: Vec<Beginning<'_>> = instances.iter().map(|i| beginning(self, i)).collect();
+        let mut told = |i: usize, control: &Control| observe(i, progress(control));
+        let endings = match engine.run(&beginnings, &mut told) {
+            Ok(endings) => endings,
+            Err(error) => return instances.iter().map(|i| Err(backend(error.clone(), &i.start, 0))).collect(),
+        };
+        let motion = engine.variant.motion;
+        let came_to = |(instance, ending): (&Instance<'_>, _)| {
+            let targets = instance.model.targets(instance.percent);
+            folded(instance.model, instance.percent, targets, self.steps.is_some(), ending, motion)
+        };
+        instances.iter().zip(&endings).map(came_to).collect()
+    }
+}
+
+/// Where an instance begins.
+fn beginning<'m>(dynamics: &Dynamics, instance: &Instance<'m>) -> Beginning<'m> {
+    let model = instance.model;
+    Beginning {
+        model,
+        state: instance.start.clone(),
+        goals: model.targets(instance.percent),
+        ramp: dynamics.ramp,
+        limit: dynamics.steps.unwrap_or(dynamics.max_steps),
+        tolerance: dynamics.tolerance,
+        stops_when_settled: dynamics.steps.is_none(),
+        time_step: match dynamics.time_step {
+            TimeStep::Paper => time_step::paper(model),
+            TimeStep::Safe => time_step::safe(model, &instance.start.positions, dynamics.integrator),
+            TimeStep::Fixed(dt) => dt,
+        },
+        damping_sum: time_step::damping_sum(model, dynamics.integrator),
+    }
+}

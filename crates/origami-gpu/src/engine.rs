@@ -1,0 +1,303 @@
+//! A scene on the GPU: its buffers, and the passes of a step in their order.
+
+use origami_core::Model;
+use origami_core::model::Material;
+use origami_core::solve::{dynamics, fire, settle};
+
+use crate::device::Gpu;
+use crate::error::GpuError;
+use crate::kernels::{
+    Binding, decide, edges, faces, judge, keep, loose_beams, moves, nodes, renew, row_sums, settle as settle_kernel,
+    stiffest, survey, weigh, workgroup_dynamics, workgroup_relax,
+};
+use crate::layout::{Before, Control, CreaseState, Node};
+use crate::pipeline::{Buffers, Pass};
+use crate::scene::Scene;
+use crate::variant::{Motion, Variant};
+
+/// How the passes of a step reach the GPU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dispatch {
+    /// As the size of the scene suggests.
+    Auto,
+    /// Each pass over all elements, one dispatch after the other.
+    Passes,
+    /// One workgroup for each sheet, which takes many steps in one dispatch.
+    Workgroup,
+}
+
+/// Nodes up to which [`Dispatch::Auto`] gives a workgroup the whole sheet.
+pub const WORKGROUP_NODES: usize = 200;
+
+/// Loop iterations that one dispatch may take: software adapters end every loop at 65 535, silently.
+const MOST_ITERATIONS: usize = 50_000;
+
+/// Evaluations between two looks of the stopping rule: its shortest window.
+const TICK: u64 = settle::SHORTEST;
+
+/// A scene's buffers and passes, for up to so many instances.
+#[derive(Debug)]
+pub(crate) struct Engine {
+    pub(crate) gpu: Gpu,
+    pub(crate) variant: Variant,
+    pub(crate) buffers: Buffers,
+    pub(crate) instances: usize,
+    safe: bool,
+    forces: Vec<Pass>,
+    damped_forces: Vec<Pass>,
+    settling: Vec<Pass>,
+    row_sums: Vec<Pass>,
+    motion: Vec<Pass>,
+    keeping: Vec<Pass>,
+    workgroup: Option<Pass>,
+}
+
+/// What an engine is built for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Purpose {
+    pub(crate) motion: Motion,
+    /// Whether dynamics renews its time step.
+    pub(crate) safe: bool,
+    pub(crate) dispatch: Dispatch,
+}
+
+impl Engine {
+    /// For `instances` sheets of `models`, which differ in nothing but their material.
+    ///
+    /// # Errors
+    /// [`GpuError::TooLarge`] where a buffer is larger than the adapter allows, or what the device says.
+    pub(crate) fn new(gpu: &Gpu, models: &[&Model], purpose: Purpose, instances: usize) -> Result<Self, GpuError> {
+        let scene = Scene::new(models);
+        let material = uniform(models);
+        let mut variant = Variant::new(&scene, purpose.motion, material);
+        let workgroup = workgroup_variant(&scene, &variant, purpose);
+        if let Some(workgroup) = &workgroup {
+            variant.steps = workgroup.steps;
+        }
+        check_counts(&variant)?;
+        gpu.scoped(|| {
+            let buffers = buffers(gpu, &scene, &variant, instances)?;
+            Ok(Self::with_buffers(gpu, variant, workgroup.as_ref(), buffers, instances, purpose.safe))
+        })?
+    }
+
+    fn with_buffers(
+        gpu: &Gpu,
+        variant: Variant,
+        workgroup: Option<&Variant>,
+        buffers: Buffers,
+        instances: usize,
+        safe: bool,
+    ) -> Self {
+        let pass = |kernel, variant: &Variant, ticks| Pass::new(gpu, kernel, variant, ticks, &buffers);
+        let undamped = variant.undamped();
+        let dynamics = !variant.relaxing();
+        let forces_of = |variant: &Variant, ticks| {
+            let mut passes = vec![pass(&faces::KERNEL, variant, ticks)];
+            if variant.loose_beams > 0 {
+                passes.push(pass(&loose_beams::KERNEL, variant, false));
+            }
+            passes
+        };
+        let mut forces = vec![pass(&edges::KERNEL, &variant, false)];
+        forces.extend(forces_of(&undamped, false));
+        let wide = workgroup.is_none();
+        let damped_forces = if dynamics && wide { forces_of(&variant, true) } else { Vec::new() };
+        let settling = vec![pass(&settle_kernel::KERNEL, &variant, false), pass(&judge::KERNEL, &variant, false)];
+        let row_sums = match (dynamics, safe) {
+            (true, true) => [&row_sums::KERNEL, &stiffest::KERNEL, &renew::KERNEL].as_slice(),
+            (false, _) if wide => &[&row_sums::KERNEL],
+            _ => &[],
+        };
+        let motion = match (dynamics, wide) {
+            (_, false) => [].as_slice(),
+            (true, _) => &[&nodes::KERNEL],
+            (false, _) => &[&weigh::KERNEL, &decide::KERNEL, &moves::KERNEL],
+        };
+        let row_sums = row_sums.iter().map(|k| pass(k, &variant, false)).collect();
+        let motion = motion.iter().map(|k| pass(k, &variant, false)).collect();
+        let keeping = vec![pass(&survey::KERNEL, &variant, false), pass(&keep::KERNEL, &variant, false)];
+        let kernel = if dynamics { &workgroup_dynamics::KERNEL } else { &workgroup_relax::KERNEL };
+        let workgroup = workgroup.map(|variant| pass(kernel, variant, false));
+        Self {
+            gpu: gpu.clone(),
+            safe,
+            forces,
+            damped_forces,
+            settling,
+            row_sums,
+            motion,
+            keeping,
+            workgroup,
+            variant,
+            buffers,
+            instances,
+        }
+    }
+
+    /// How many steps one recording has to be a multiple of, but for the last.
+    pub(crate) fn grain(&self) -> u64 {
+        TICK
+    }
+
+    /// Records the steps `from..to`, counted since the start; `from` is a multiple of [`Engine::grain`].
+    pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, instances: u32, from: u64, to: u64) {
+        let mut record = |passes: &[Pass]| passes.iter().for_each(|p| p.record(pass, instances));
+        let dynamics = !self.variant.relaxing();
+        let renews = |step: u64| dynamics && self.safe && step > 0 && step.is_multiple_of(dynamics::RENEWAL);
+        if let Some(workgroup) = &self.workgroup {
+            for step in (from..to).step_by(TICK as usize) {
+                record(&self.forces);
+                record(&self.settling);
+                if renews(step) {
+                    record(&self.row_sums);
+                }
+                for _ in 0..TICK.div_ceil(u64::from(self.variant.steps)) {
+                    record(std::slice::from_ref(workgroup));
+                }
+            }
+        } else {
+            for step in from..to {
+                let looks = step.is_multiple_of(TICK);
+                if dynamics {
+                    // The springs alone are what the stopping rule looks at.
+                    record(if looks { &self.forces } else { &self.forces[..1] });
+                } else {
+                    record(&self.forces);
+                }
+                if looks {
+                    record(&self.settling);
+                }
+                if renews(step) || !dynamics && step.is_multiple_of(fire::RENEWAL) {
+                    record(&self.row_sums);
+                }
+                record(&self.damped_forces);
+                record(&self.motion);
+            }
+        }
+        record(&self.keeping);
+    }
+}
+
+/// The material that all models share.
+fn uniform(models: &[&Model]) -> Option<Material> {
+    let material = models[0].material;
+    models.iter().all(|m| m.material == material).then_some(material)
+}
+
+/// Whether one workgroup would take many steps of a sheet.
+pub(crate) fn is_by_workgroup(scene: &Scene, variant: &Variant, purpose: Purpose) -> bool {
+    workgroup_variant(scene, variant, purpose).is_some()
+}
+
+/// The variant of the one-workgroup kernel, where it is wanted and can be had.
+fn workgroup_variant(scene: &Scene, variant: &Variant, purpose: Purpose) -> Option<Variant> {
+    let wanted = match purpose.dispatch {
+        Dispatch::Passes => false,
+        Dispatch::Workgroup => true,
+        Dispatch::Auto => scene.nodes <= WORKGROUP_NODES,
+    };
+    // Eight buffers are all that every adapter has, and these scenes need more.
+    if !wanted || variant.rigidities || variant.loose_beams > 0 {
+        return None;
+    }
+    let most = scene.nodes.max(scene.hinges.len()).max(scene.faces.len());
+    #[expect(clippy::cast_possible_truncation, reason = "at most 256")]
+    let workgroup = most.next_power_of_two().clamp(32, 256) as u32;
+    let steps = (MOST_ITERATIONS / iterations(scene, workgroup as usize)).min(TICK as usize);
+    #[expect(clippy::cast_possible_truncation, reason = "at most the ticks of a window")]
+    let steps = steps as u32;
+    (steps > 0).then(|| Variant { workgroup, steps, ..variant.clone() })
+}
+
+/// Loop iterations of one invocation in one step, at most: every loop of the kernel counted as written.
+fn iterations(scene: &Scene, workgroup: usize) -> usize {
+    let rounds = |count: usize| count.div_ceil(workgroup);
+    let of_a_face = 1 + 3 + 3 + 3 + 3 + 3 + 3;
+    let of_a_node = 1 + scene.most_slots() + 1;
+    1 + rounds(scene.hinges.len()) + rounds(scene.faces.len()) * of_a_face + rounds(scene.nodes) * of_a_node + 8
+}
+
+/// Dispatches count workgroups in 16 bits.
+fn check_counts(variant: &Variant) -> Result<(), GpuError> {
+    let most = variant.creases.max(variant.faces).max(variant.nodes);
+    let allowed = 65_535;
+    match variant.groups(most) {
+        groups if groups > allowed => Err(GpuError::TooManyElements {
+            count: most as u64,
+            allowed: (allowed * variant.workgroup as usize) as u64,
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Bytes that each buffer takes for one instance, and once for all: what a scene needs.
+pub(crate) fn sizes(scene: &Scene, variant: &Variant) -> Vec<(Binding, u64, u64)> {
+    let size = |count: usize, of: usize| (count * of) as u64;
+    let nodes = scene.nodes;
+    let mut sizes = vec![
+        (Binding::Control, size(1, size_of::<Control>()), 0),
+        (Binding::Nodes, size(nodes, size_of::<Node>()), 0),
+        (Binding::CreaseStates, size(scene.hinges.len(), size_of::<CreaseState>()), 0),
+        (Binding::Hinges, 0, bytemuck::cast_slice::<_, u8>(&scene.hinges).len() as u64),
+        (Binding::Faces, 0, bytemuck::cast_slice::<_, u8>(&scene.faces).len() as u64),
+        (Binding::Slots, size(scene.slot_count(), 16), 0),
+        (Binding::Rows, 0, size(nodes + 1, 4)),
+        (Binding::Partials, size(variant.groups(nodes), 16), 0),
+        (Binding::Windows, size(nodes, size_of::<Before>()), 0),
+        (Binding::KeptNodes, size(nodes, size_of::<Node>()), 0),
+        (Binding::KeptAngles, size(scene.hinges.len(), 4), 0),
+    ];
+    if variant.corners {
+        sizes.push((Binding::Corners, 0, size(scene.corners.len(), 16)));
+    }
+    if variant.rigidities {
+        sizes.push((Binding::Rigidities, 0, size(scene.rigidities.len(), 4)));
+    }
+    if variant.loose_beams > 0 {
+        sizes.push((Binding::LooseBeams, 0, bytemuck::cast_slice::<_, u8>(&scene.loose_beams).len() as u64));
+    }
+    sizes
+}
+
+fn buffers(gpu: &Gpu, scene: &Scene, variant: &Variant, instances: usize) -> Result<Buffers, GpuError> {
+    let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
+    let mut buffers = Buffers::new();
+    for (binding, each, once) in sizes(scene, variant) {
+        // An empty binding is not allowed.
+        let needed = (each * instances as u64 + once).max(64);
+        if needed > allowed {
+            return Err(GpuError::TooLarge { what: binding.what(), needed, allowed });
+        }
+        let buffer = gpu.device().create_buffer(&wgpu::BufferDescriptor {
+            label: Some(binding.what()),
+            size: needed,
+            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
+            mapped_at_creation: false,
+        });
+        let contents: &[u8] = match binding {
+            Binding::Hinges => bytemuck::cast_slice(&scene.hinges),
+            Binding::Faces => bytemuck::cast_slice(&scene.faces),
+            Binding::Rows => bytemuck::cast_slice(&scene.rows),
+            Binding::Corners => bytemuck::cast_slice(&scene.corners),
+            Binding::Rigidities => bytemuck::cast_slice(&scene.rigidities),
+            Binding::LooseBeams => bytemuck::cast_slice(&scene.loose_beams),
+            _ => &[],
+        };
+        if !contents.is_empty() {
+            gpu.queue().write_buffer(&buffer, 0, contents);
+        }
+        buffers.insert(binding, buffer);
+    }
+    Ok(buffers)
+}
+
+/// How many instances of a scene fit into the adapter's buffers.
+pub(crate) fn most_instances(gpu: &Gpu, models: &[&Model], motion: Motion) -> usize {
+    let scene = Scene::new(models);
+    let variant = Variant::new(&scene, motion, uniform(models));
+    let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
+    let fits = sizes(&scene, &variant).into_iter().filter(|(_, each, _)| *each > 0);
+    let most = fits.map(|(_, each, once)| allowed.saturating_sub(once) / each).min().unwrap_or(1);
+    usize::try_from(most.clamp(1, 65_535)).unwrap_or(1)
+}

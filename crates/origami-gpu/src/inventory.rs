@@ -1,0 +1,37 @@
+//! What a scene's pipelines hold and do without.
+
+use origami_core::model::{Built, Inventory, LeftOut, Model};
+
+use crate::engine::{Purpose, is_by_workgroup};
+use crate::scene::Scene;
+use crate::variant::{Motion, Variant};
+
+/// The model's inventory `inventory`, and what the GPU's pipelines add to it.
+pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose) -> Inventory {
+    let scene = Scene::new(&[model]);
+    let variant = Variant::new(&scene, purpose.motion, Some(model.material));
+    let mut built = |what, count| inventory.built.push(Built { what, count });
+    if is_by_workgroup(&scene, &variant, purpose) {
+        built("passes in one workgroup", 1);
+    } else {
+        built("passes over all elements", if purpose.motion == Motion::Relax { 5 } else { 3 });
+    }
+    if variant.loose_beams > 0 {
+        built("pass of loose beams", variant.loose_beams);
+    }
+    if variant.rigidities {
+        built("buffer of rigidities", scene.rigidities.len());
+    }
+    let mut without = |what, why| inventory.left_out.push(LeftOut { what, count: 0, why });
+    if variant.loose_beams == 0 {
+        without("pass of loose beams", "every beam lies on a face");
+    }
+    if !variant.rigidities {
+        without("buffer of rigidities", "all beams have the material's: a constant");
+    }
+    if !variant.corners {
+        without("buffer of corner angles", "there are none");
+    }
+    without("strain and energy on the GPU", "they are measured on the state that is read");
+    inventory
+}

@@ -1,0 +1,16 @@
+//! Beams on edges outside any face.
+
+use origami_shaders as wgsl;
+
+use super::{Binding, Kernel, Per};
+
+/// The kernel of `loose_beams.wgsl`.
+pub(crate) const KERNEL: Kernel = Kernel {
+    name: "loose_beams",
+    entry: "loose_beams_of_sheet",
+    text: wgsl::LOOSE_BEAMS,
+    parts: |variant| vec![variant.material()],
+    uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::LooseBeams],
+    springs: false,
+    per: Per::LooseBeam,
+};

@@ -1,0 +1,180 @@
+//! The structs that lie in buffers, as `shaders/src` declares them. A test compares every offset with the shaders'.
+
+use bytemuck::{Pod, Zeroable};
+use glam::DVec3;
+
+/// The length of one unit of [`Node::high`], in radii.
+pub(crate) const QUANTUM: f64 = 1.0 / 4096.0;
+
+/// No node.
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// Why an instance stands still.
+pub(crate) const SETTLED: u32 = 1;
+
+/// A node: its position is `high * QUANTUM + low`.
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct Node {
+    pub(crate) high: [i32; 3],
+    pub(crate) fixed_in_place: u32,
+    pub(crate) low: [f32; 3],
+    pub(crate) mass: f32,
+    pub(crate) velocity: [f32; 3],
+    pub(crate) softness: f32,
+    pub(crate) force: [f32; 3],
+    pub(crate) unused: f32,
+}
+
+impl Node {
+    /// A node at `position`, which is kept to 4e-12 radii.
+    #[expect(clippy::cast_possible_truncation, reason = "high saturates beyond 500 000 radii; low is a remainder")]
+    pub(crate) fn place(&mut self, position: DVec3) {
+        let high = (position / QUANTUM).round();
+        self.high = high.to_array().map(|x| x as i32);
+        self.low = (position - high * QUANTUM).to_array().map(|x| x as f32);
+    }
+
+    /// In radii.
+    pub(crate) fn position(&self) -> DVec3 {
+        DVec3::from_array(self.high.map(f64::from)) * QUANTUM + vector(self.low)
+    }
+}
+
+/// The square of a rest length in two parts: integer times `QUANTUM`^2, and the rest.
+#[expect(clippy::cast_possible_truncation, reason = "a beam is at most 2 radii long; the rest is a remainder")]
+pub(crate) fn split_square(length: f64) -> (i32, f32) {
+    let square = length * length / (QUANTUM * QUANTUM);
+    (square.round() as i32, ((square - square.round()) * QUANTUM * QUANTUM) as f32)
+}
+
+/// A vector of three numbers in double precision.
+pub(crate) fn vector(v: [f32; 3]) -> DVec3 {
+    DVec3::from_array(v.map(f64::from))
+}
+
+/// And in single.
+#[expect(clippy::cast_possible_truncation, reason = "to the nearest")]
+pub(crate) fn single(v: DVec3) -> [f32; 3] {
+    v.to_array().map(|x| x as f32)
+}
+
+/// A crease in motion; angles in radians.
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct CreaseState {
+    pub(crate) angle: f32,
+    pub(crate) moment: f32,
+    pub(crate) start: f32,
+    pub(crate) goal: f32,
+}
+
+/// What leads one instance.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct Control {
+    pub(crate) stop: u32,
+    pub(crate) step: u32,
+    pub(crate) limit: u32,
+    pub(crate) bad_node: u32,
+    pub(crate) ramp_step: u32,
+    pub(crate) ramp_length: u32,
+    pub(crate) held: u32,
+    pub(crate) tick: u32,
+    pub(crate) window_end: u32,
+    pub(crate) settled_windows: u32,
+    pub(crate) stops_when_settled: u32,
+    pub(crate) distance: f32,
+    pub(crate) tolerance: f32,
+    pub(crate) fire_step: f32,
+    pub(crate) mixing: f32,
+    pub(crate) downhill: u32,
+    pub(crate) keep: f32,
+    pub(crate) towards_force: f32,
+    pub(crate) back: f32,
+    pub(crate) time_step: f32,
+    pub(crate) previous_step: f32,
+    pub(crate) next_step: f32,
+    pub(crate) damping_sum: f32,
+    pub(crate) stiffest: u32,
+    pub(crate) farthest: u32,
+    pub(crate) fastest: u32,
+    pub(crate) kept_step: u32,
+    pub(crate) ea: f32,
+    pub(crate) k_fold: f32,
+    pub(crate) k_facet: f32,
+    pub(crate) k_face: f32,
+    pub(crate) zeta: f32,
+}
+
+/// A crease that never changes.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct Hinge {
+    pub(crate) apex_one: u32,
+    pub(crate) apex_two: u32,
+    pub(crate) end_one: u32,
+    pub(crate) end_two: u32,
+    pub(crate) length: f32,
+    pub(crate) kind: u32,
+}
+
+/// Kinds of [`Hinge`]: stiffness by `k_fold`, by `k_facet`, or its own.
+pub(crate) const FOLD: u32 = 0;
+pub(crate) const FACET: u32 = 1;
+pub(crate) const OWN: u32 = 2;
+
+/// A triangle that never changes.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct Face {
+    pub(crate) nodes: [u32; 3],
+    pub(crate) slots: [u32; 3],
+    pub(crate) sides: [u32; 3],
+    pub(crate) rest_high: [i32; 3],
+    pub(crate) rest_low: [f32; 3],
+}
+
+/// Flags of [`Face::sides`], and the rest of it: no crease where all its bits are set.
+pub(crate) const ALONE: u32 = 0x8000_0000;
+pub(crate) const RIGHT: u32 = 0x4000_0000;
+pub(crate) const CREASE: u32 = 0x3fff_ffff;
+
+/// A beam outside any face.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct LooseBeam {
+    pub(crate) nodes: [u32; 2],
+    pub(crate) slots: [u32; 2],
+    pub(crate) rest_high: i32,
+    pub(crate) rest_low: f32,
+    pub(crate) rigidity: f32,
+}
+
+/// A node when its window began.
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct Before {
+    pub(crate) high: [i32; 3],
+    pub(crate) unused: u32,
+    pub(crate) low: [f32; 3],
+    pub(crate) unused_too: f32,
+    pub(crate) force: [f32; 3],
+    pub(crate) unused_as_well: f32,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_are_kept_far_beyond_single_precision() {
+        for x in [0.0, 1.0, -0.1, 1.0 / 3.0, -99.9, 1e-9, 7.6e-6] {
+            let position = DVec3::new(x, -x, 0.5 * x);
+            let mut node = Node::default();
+            node.place(position);
+            assert!(node.position().distance(position) < 1e-11, "{x}");
+            assert!(node.low.iter().all(|low| f64::from(low.abs()) <= 0.51 * QUANTUM), "{x}: {:?}", node.low);
+        }
+    }
+}

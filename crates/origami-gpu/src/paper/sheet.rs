@@ -1,0 +1,216 @@
+//! A sheet in the memory of a GPU.
+
+use std::sync::{Arc, OnceLock};
+
+use bytemuck::Pod;
+use glam::{DVec3, Vec3};
+use origami_core::State;
+use origami_core::model::Model;
+
+use super::kernel::{Each, Kernel, PASSES, Pass, WORKGROUP};
+use super::layout::{Motion, NONE, Settings, Slot, Spring, Status};
+use super::lists::Lists;
+use crate::{Gpu, GpuError};
+
+/// A sheet in the memory of a GPU, with the passes bound to it.
+pub(super) struct Sheet {
+    gpu: Gpu,
+    buffers: Vec<wgpu::Buffer>,
+    passes: Vec<Pass>,
+    settings: Settings,
+}
+
+impl Sheet {
+    /// All state is zero: [`Sheet::write`] comes next.
+    ///
+    /// # Errors
+    /// [`GpuError::TooLarge`] where a list does not fit one binding, [`GpuError::OutOfMemory`], and whatever else
+    /// [`Gpu::scoped`] returns.
+    pub(super) fn new(gpu: &Gpu, model: &Model, time_step: f64) -> Result<Self, GpuError> {
+        let lists = Lists::new(model, time_step);
+        let (nodes, triangles) = (lists.nodes.len(), lists.triangles.len());
+        let bytes = |slot| match slot {
+            Slot::Settings => bytemuck::bytes_of(&lists.settings),
+            Slot::Nodes => bytemuck::cast_slice(&lists.nodes),
+            Slot::Triangles => bytemuck::cast_slice(&lists.triangles),
+            Slot::Creases => bytemuck::cast_slice(&lists.creases),
+            Slot::BeamEnds => bytemuck::cast_slice(&lists.beam_ends),
+            Slot::Roles => bytemuck::cast_slice(&lists.roles),
+            // wgpu fills these with zeros.
+            Slot::Status | Slot::Motions | Slot::NextVelocities | Slot::FaceNormals | Slot::Springs => [].as_slice(),
+        };
+        let size = |slot| match slot {
+            Slot::Status => size_of::<Status>(),
+            Slot::Motions => nodes * size_of::<Motion>(),
+            Slot::NextVelocities => nodes * size_of::<[f32; 4]>(),
+            Slot::FaceNormals => triangles * size_of::<[f32; 4]>(),
+            Slot::Springs => lists.creases.len() * size_of::<Spring>(),
+            filled => bytes(filled).len(),
+        };
+        for slot in Slot::ALL {
+            check(gpu, slot.what(), size(slot) as u64, gpu.limits().max_storage_buffer_binding_size)?;
+        }
+        for (count, what) in [(nodes, Slot::Nodes), (triangles, Slot::Triangles), (lists.creases.len(), Slot::Creases)]
+        {
+            let most = u64::from(gpu.limits().max_compute_workgroups_per_dimension) * u64::from(WORKGROUP);
+            let bytes_each = (size(what) / count.max(1)) as u64;
+            check(gpu, what.what(), size(what) as u64, most * bytes_each.max(1))?;
+        }
+        gpu.scoped(|| {
+            let buffers: Vec<wgpu::Buffer> = Slot::ALL.map(|slot| buffer(gpu, slot, size(slot) as u64)).into();
+            for slot in Slot::ALL {
+                gpu.queue().write_buffer(&buffers[slot as usize], 0, bytes(slot));
+            }
+            let passes = PASSES.map(|kernel| kernel.bound(gpu, &buffers)).into();
+            Self { gpu: gpu.clone(), buffers, passes, settings: lists.settings }
+        })
+    }
+
+    /// Writes a state.
+    pub(super) fn write(&self, model: &Model, state: &State) -> Result<(), GpuError> {
+        self.fill(Slot::Motions, &motions(model, state))?;
+        self.fill(Slot::Springs, &springs(model, state))
+    }
+
+    /// Reads the state back.
+    pub(super) fn read(&self, model: &Model, targets: &[f64]) -> Result<State, GpuError> {
+        let wide = |v: [f32; 3]| Vec3::from_array(v).as_dvec3();
+        let motions = self.contents::<Motion>(Slot::Motions, model.node_count())?;
+        let springs = self.contents::<Spring>(Slot::Springs, model.creases.len())?;
+        Ok(State {
+            positions: motions.iter().zip(&model.rest).map(|(m, rest)| *rest + wide(m.displacement)).collect(),
+            velocities: motions.iter().map(|m| wide(m.velocity)).collect(),
+            fold_angles: springs.iter().map(|spring| f64::from(spring.angle)).collect(),
+            targets: targets.to_vec(),
+        })
+    }
+
+    /// Takes up to `steps` steps and waits for them; tells how many it took, and where it stopped short of them.
+    pub(super) fn advance(&self, steps: u32) -> Result<Status, GpuError> {
+        self.fill(Slot::Status, &[Status { bad_node: NONE, steps: 0, running: 1 }])?;
+        self.run(&PASSES, steps)?;
+        let status = self.contents::<Status>(Slot::Status, 1)?;
+        status.first().copied().ok_or_else(|| GpuError::Refused("the status could not be read".to_owned()))
+    }
+
+    /// Runs the passes so many times, all in one submission.
+    pub(super) fn run(&self, kernels: &[&Kernel], times: u32) -> Result<(), GpuError> {
+        self.gpu.scoped(|| {
+            let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
+            {
+                let mut recorded = encoder.begin_compute_pass(&Default::default());
+                for _ in 0..times {
+                    for (kernel, pass) in PASSES.iter().zip(&self.passes) {
+                        if kernels.iter().any(|wanted| wanted.name == kernel.name) {
+                            recorded.set_pipeline(&pass.pipeline);
+                            recorded.set_bind_group(0, &pass.bindings, &[]);
+                            recorded.dispatch_workgroups(self.groups(kernel.each), 1, 1);
+                        }
+                    }
+                }
+            }
+            self.gpu.queue().submit([encoder.finish()]);
+        })
+    }
+
+    /// At least one: the first pass counts the steps, even of a sheet without triangles.
+    fn groups(&self, each: Each) -> u32 {
+        let count = match each {
+            Each::Triangle => self.settings.triangles,
+            Each::Crease => self.settings.creases,
+            Each::Node => self.settings.nodes,
+        };
+        count.div_ceil(WORKGROUP).max(1)
+    }
+
+    /// Overwrites a buffer.
+    pub(super) fn fill<T: Pod>(&self, slot: Slot, content: &[T]) -> Result<(), GpuError> {
+        let write = || self.gpu.queue().write_buffer(&self.buffers[slot as usize], 0, bytemuck::cast_slice(content));
+        self.gpu.scoped(write)
+    }
+
+    /// The first `count` elements of a buffer, once all that was submitted is done.
+    pub(super) fn contents<T: Pod>(&self, slot: Slot, count: usize) -> Result<Vec<T>, GpuError> {
+        let size = (count * size_of::<T>()) as u64;
+        if size == 0 {
+            return Ok(Vec::new());
+        }
+        let mapped = Arc::new(OnceLock::new());
+        let staging = self.gpu.scoped(|| {
+            let staging = self.gpu.device().create_buffer(&wgpu::BufferDescriptor {
+                label: Some("staging"),
+                size,
+                usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            });
+            let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
+            encoder.copy_buffer_to_buffer(&self.buffers[slot as usize], 0, &staging, 0, size);
+            self.gpu.queue().submit([encoder.finish()]);
+            let outcome = Arc::clone(&mapped);
+            staging.map_async(wgpu::MapMode::Read, .., move |result| {
+                let _ = outcome.set(result);
+            });
+            staging
+        })?;
+        self.gpu.wait()?;
+        let refused = |why: String| GpuError::Refused(format!("{} could not be read: {why}", slot.what()));
+        match mapped.get() {
+            Some(Ok(())) => {}
+            Some(Err(error)) => return Err(refused(error.to_string())),
+            None => return Err(refused("it was not mapped".to_owned())),
+        }
+        let view = staging.get_mapped_range(..).map_err(|error| refused(error.to_string()))?;
+        Ok(bytemuck::pod_collect_to_vec(&view[..]))
+    }
+}
+
+fn check(gpu: &Gpu, what: &'static str, needed: u64, allowed: u64) -> Result<(), GpuError> {
+    let allowed = allowed.min(gpu.limits().max_buffer_size);
+    if needed > allowed { Err(GpuError::TooLarge { what, needed, allowed }) } else { Ok(()) }
+}
+
+/// At least one element long: a binding cannot be empty.
+fn buffer(gpu: &Gpu, slot: Slot, size: u64) -> wgpu::Buffer {
+    const LONGEST_ELEMENT: u64 = size_of::<super::layout::Triangle>() as u64;
+    gpu.device().create_buffer(&wgpu::BufferDescriptor {
+        label: Some(slot.what()),
+        size: size.max(LONGEST_ELEMENT),
+        usage: wgpu::BufferUsages::COPY_DST
+            | wgpu::BufferUsages::COPY_SRC
+            | match slot.binding_type() {
+                wgpu::BufferBindingType::Uniform => wgpu::BufferUsages::UNIFORM,
+                wgpu::BufferBindingType::Storage { .. } => wgpu::BufferUsages::STORAGE,
+            },
+        mapped_at_creation: false,
+    })
+}
+
+/// Displacements from rest, and velocities.
+pub(super) fn motions(model: &Model, state: &State) -> Vec<Motion> {
+    let rounded = |v: DVec3| v.as_vec3().to_array();
+    let nodes = state.positions.iter().zip(&model.rest).zip(&state.velocities);
+    nodes
+        .map(|((position, rest), velocity)| Motion {
+            displacement: rounded(*position - *rest),
+            padding: 0.0,
+            velocity: rounded(*velocity),
+            padding_too: 0.0,
+        })
+        .collect()
+}
+
+/// Springs at the state's angles, on their way to its targets.
+pub(super) fn springs(model: &Model, state: &State) -> Vec<Spring> {
+    let angles = state.fold_angles.iter().zip(&state.targets);
+    let springs = model.creases.iter().zip(angles);
+    springs
+        .map(|(crease, (angle, goal))| Spring {
+            angle: *angle as f32,
+            goal: *goal as f32,
+            stiffness: crease.stiffness as f32,
+            padding: 0.0,
+            per_height: [0.0; 2],
+            foot: [0.0; 2],
+        })
+        .collect()
+}

@@ -1,0 +1,76 @@
+//! From a kernel and a variant to a pipeline with its buffers bound.
+
+use std::collections::BTreeMap;
+
+use crate::device::Gpu;
+use crate::kernels::{Binding, Kernel, Per};
+use crate::variant::Variant;
+
+/// The buffers of a scene.
+pub(crate) type Buffers = BTreeMap<Binding, wgpu::Buffer>;
+
+/// A kernel that can be dispatched.
+#[derive(Debug)]
+pub(crate) struct Pass {
+    pipeline: wgpu::ComputePipeline,
+    bind_group: wgpu::BindGroup,
+    groups: u32,
+}
+
+impl Pass {
+    /// Builds `kernel` for `variant`. Where it is refused, wgpu says so to the error scope that this is called in.
+    pub(crate) fn new(gpu: &Gpu, kernel: &Kernel, variant: &Variant, ticks: bool, buffers: &Buffers) -> Self {
+        let source = kernel.source(variant);
+        let constants = asked_for(&source, variant.constants(ticks));
+        let module = gpu.device().create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(kernel.name),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        });
+        let pipeline = gpu.device().create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(kernel.name),
+            layout: None,
+            module: &module,
+            entry_point: Some(kernel.entry),
+            compilation_options: wgpu::PipelineCompilationOptions {
+                constants: &constants,
+                // Every kernel writes its workgroup's memory before it reads it.
+                zero_initialize_workgroup_memory: false,
+            },
+            cache: None,
+        });
+        let bindings = kernel.bindings(variant);
+        let entries: Vec<wgpu::BindGroupEntry<'_>> = bindings
+            .iter()
+            .map(|b| wgpu::BindGroupEntry { binding: *b as u32, resource: buffers[b].as_entire_binding() })
+            .collect();
+        let bind_group = gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(kernel.name),
+            layout: &pipeline.get_bind_group_layout(0),
+            entries: &entries,
+        });
+        let elements = match kernel.per {
+            Per::Crease => variant.creases,
+            Per::Face => variant.faces,
+            Per::LooseBeam => variant.loose_beams,
+            Per::Node => variant.nodes,
+            Per::NodeOrCrease => variant.nodes.max(variant.creases),
+            Per::Instance => 1,
+        };
+        // Even a pass without elements may keep the time.
+        #[expect(clippy::cast_possible_truncation, reason = "elements are counted in u32")]
+        let groups = variant.groups(elements).max(1) as u32;
+        Self { pipeline, bind_group, groups }
+    }
+
+    /// Records one dispatch over `instances`.
+    pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, instances: u32) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &self.bind_group, &[]);
+        pass.dispatch_workgroups(self.groups, instances, 1);
+    }
+}
+
+/// Those of the constants that the text declares.
+fn asked_for(source: &str, constants: Vec<(&'static str, f64)>) -> Vec<(&'static str, f64)> {
+    constants.into_iter().filter(|(name, _)| source.contains(&format!("override {name}:"))).collect()
+}

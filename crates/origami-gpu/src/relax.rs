@@ -1,0 +1,100 @@
+//! Relaxation on a GPU: the core's attempts, each one run of the engine.
+
+use origami_core::solve::relax::{Attempt, lower};
+use origami_core::solve::{Failed, Folded, Instance, Progress, Relax};
+
+use crate::engine::{Dispatch, Engine, Purpose};
+use crate::error::GpuError;
+use crate::layout::Control;
+use crate::run::Beginning;
+use crate::solver::{Method, backend, folded, progress};
+use crate::variant::Motion;
+
+impl Method for Relax {
+    fn purpose(&self, _damped: bool, dispatch: Dispatch) -> Purpose {
+        Purpose { motion: Motion::Relax, safe: false, dispatch }
+    }
+
+    /// Runs instances until each has made all its attempts.
+    fn run(
+        &self,
+        engine: &mut Engine,
+        instances: &[Instance<'_>],
+        observe: &mut dyn FnMut(usize, Progress),
+    ) -> Vec<Result<Folded, Failed>> {
+        let relax = self;
+        let first = |i: &Instance<'_>| relax.first_attempt(i.model, &i.start, i.percent);
+        let mut active: Vec<(usize, Attempt)> = instances.iter().map(first).enumerate().collect();
+        let mut kept: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
+        while !active.is_empty() {
+            let beginnings: Vec<Beginning<'_>> =
+                active.iter().map(|(i, attempt)| beginning(relax, &instances[*i], *attempt)).collect();
+            let so_far = |i: usize| match &kept[i] {
+                Some(Ok(folded)) => folded.steps,
+                _ => 0,
+            };
+            let mut told = |place: usize, control: &Control| {
+                let i = active[place].0;
+                let told = progress(control);
+                observe(i, Progress { step: so_far(i) + told.step, ..told });
+            };
+            let endings = match engine.run(&beginnings, &mut told) {
+                Ok(endings) => endings,
+                Err(error) => {
+                    return gave_up(kept, instances, &active, &error);
+                }
+            };
+            let mut next = Vec::new();
+            for ((i, attempt), ending) in active.into_iter().zip(&endings) {
+                let instance = &instances[i];
+                let targets = instance.model.targets(instance.percent);
+                let asked = relax.steps.is_some();
+                let came_to = folded(instance.model, instance.percent, targets, asked, ending, Motion::Relax);
+                let best = match (kept[i].take(), came_to) {
+                    (None, came_to) => came_to,
+                    // The state at hand is finite: another way that diverges does not take it away.
+                    (Some(Ok(kept)), Ok(other)) => Ok(lower(instance.model, kept, other, attempt.number)),
+                    (Some(kept), _) => kept,
+                };
+                if let Ok(folded) = &best
+                    && let Some(attempt) = relax.next_attempt(instance.model, &instance.start, attempt, folded)
+                {
+                    next.push((i, attempt));
+                }
+                kept[i] = Some(best);
+            }
+            active = next;
+        }
+        kept.into_iter().flatten().collect()
+    }
+}
+
+/// Where an attempt begins.
+fn beginning<'m>(relax: &Relax, instance: &Instance<'m>, attempt: Attempt) -> Beginning<'m> {
+    Beginning {
+        model: instance.model,
+        state: relax.beginning(instance.model, &instance.start, instance.percent),
+        goals: instance.model.targets(instance.percent),
+        ramp: attempt.ramp,
+        limit: attempt.limit,
+        tolerance: relax.tolerance,
+        stops_when_settled: relax.steps.is_none(),
+        time_step: 0.0,
+        damping_sum: 0.0,
+    }
+}
+
+/// Every instance that has no result fails for the same reason.
+fn gave_up(
+    kept: Vec<Option<Result<Folded, Failed>>>,
+    instances: &[Instance<'_>],
+    active: &[(usize, Attempt)],
+    error: &GpuError,
+) -> Vec<Result<Folded, Failed>> {
+    let failed = |i: usize, kept: Option<Result<Folded, Failed>>| match kept {
+        Some(result) if active.iter().all(|(a, _)| *a != i) => result,
+        Some(Ok(read)) => Err(backend(error.clone(), &read.state, read.steps)),
+        _ => Err(backend(error.clone(), &instances[i].start, 0)),
+    };
+    kept.into_iter().enumerate().map(|(i, kept)| failed(i, kept)).collect()
+}

@@ -1,0 +1,264 @@
+//! Runs an engine: writes where its instances begin, lets many steps go between two reads, and reads where they end.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, OnceLock};
+
+use bytemuck::Pod;
+use glam::DVec3;
+use origami_core::Model;
+use origami_core::solve::{State, fire, row_sums};
+
+use crate::engine::Engine;
+use crate::error::GpuError;
+use crate::kernels::Binding;
+use crate::layout::{Control, CreaseState, NONE, Node, single};
+
+/// Submissions that are under way before the oldest is looked at: the queue never stands still.
+const AHEAD: usize = 2;
+/// Steps of one submission of a small scene, and of a large one.
+const BATCH: u64 = 100;
+const LARGE_BATCH: u64 = 20;
+const LARGE: usize = 100_000;
+
+/// Where an instance begins, and what leads it.
+pub(crate) struct Beginning<'m> {
+    pub(crate) model: &'m Model,
+    pub(crate) state: State,
+    /// Angles asked for in the end, by crease.
+    pub(crate) goals: Vec<f64>,
+    pub(crate) ramp: u32,
+    pub(crate) limit: u64,
+    pub(crate) tolerance: f64,
+    /// Whether it stops when it has settled, or runs all its steps.
+    pub(crate) stops_when_settled: bool,
+    /// Of dynamics.
+    pub(crate) time_step: f64,
+    pub(crate) damping_sum: f64,
+}
+
+/// Where an instance ended.
+#[derive(Clone, Debug)]
+pub(crate) struct Ending {
+    pub(crate) control: Control,
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) creases: Vec<CreaseState>,
+    /// The last good state, where it has diverged.
+    pub(crate) kept: Option<(Vec<Node>, Vec<f32>)>,
+}
+
+impl Engine {
+    /// Runs the instances from where they begin; `observe` sees the control block of each now and then.
+    ///
+    /// # Errors
+    /// What the device says.
+    pub(crate) fn run(
+        &mut self,
+        beginnings: &[Beginning<'_>],
+        observe: &mut dyn FnMut(usize, &Control),
+    ) -> Result<Vec<Ending>, GpuError> {
+        assert!(beginnings.len() <= self.instances, "the engine was built for as many");
+        self.load(beginnings)?;
+        let limit = beginnings.iter().map(|b| b.limit).max().unwrap_or(0);
+        let size = if self.variant.nodes * beginnings.len() > LARGE { LARGE_BATCH } else { BATCH };
+        let batch = size.next_multiple_of(self.grain());
+        let mut under_way = VecDeque::new();
+        let mut step = 0;
+        let mut running = true;
+        while running && (step < limit || !under_way.is_empty()) {
+            if step < limit {
+                let to = (step + batch).min(limit);
+                under_way.push_back((to, self.submit(beginnings.len(), step, to)?));
+                step = to;
+            }
+            if under_way.len() > AHEAD || step == limit {
+                let Some((to, looked)) = under_way.pop_front() else { break };
+                let controls = looked.wait(self)?;
+                controls.iter().enumerate().for_each(|(i, control)| observe(i, control));
+                self.check_steps(&controls, to)?;
+                running = controls.iter().any(|c| c.stop == 0 && c.bad_node == NONE);
+            }
+        }
+        // What still is under way finds all instances standing still.
+        for (_, looked) in under_way {
+            looked.wait(self)?;
+        }
+        self.endings(beginnings.len())
+    }
+
+    /// A kernel that was cut short would go unnoticed: a running instance has made all steps that were asked for.
+    fn check_steps(&self, controls: &[Control], to: u64) -> Result<(), GpuError> {
+        let behind = |c: &&Control| c.stop == 0 && c.bad_node == NONE && u64::from(c.step) < to.min(u64::from(c.limit));
+        match controls.iter().find(behind) {
+            Some(c) => Err(GpuError::Refused(format!(
+                "after {to} steps were asked for it has made {}: its driver cuts long loops short",
+                c.step
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    fn load(&self, beginnings: &[Beginning<'_>]) -> Result<(), GpuError> {
+        let relaxing = self.variant.relaxing();
+        let mut controls = Vec::with_capacity(beginnings.len());
+        let mut nodes = Vec::with_capacity(beginnings.len() * self.variant.nodes);
+        let mut creases = Vec::with_capacity(beginnings.len() * self.variant.creases);
+        for beginning in beginnings {
+            controls.push(control(beginning));
+            let softness = row_sums::soft_sums(beginning.model);
+            let start = &beginning.state;
+            for ((position, velocity), sum) in start.positions.iter().zip(&start.velocities).zip(softness) {
+                let velocity = if relaxing { DVec3::ZERO } else { *velocity };
+                let mut node =
+                    Node { mass: 1.0, softness: narrow(1.0 / sum), velocity: single(velocity), ..Node::default() };
+                node.place(*position);
+                nodes.push(node);
+            }
+            let first = nodes.len() - self.variant.nodes;
+            for fixed in &beginning.model.fixed {
+                nodes[first + fixed.index()].fixed_in_place = 1;
+            }
+            let angles = start.fold_angles.iter().zip(&start.targets).zip(&beginning.goals);
+            creases.extend(angles.map(|((angle, start), goal)| CreaseState {
+                angle: narrow(*angle),
+                moment: 0.0,
+                start: narrow(*start),
+                goal: narrow(*goal),
+            }));
+        }
+        let angles: Vec<f32> = creases.iter().map(|c: &CreaseState| c.angle).collect();
+        self.gpu.scoped(|| {
+            self.write(Binding::Control, &controls);
+            self.write(Binding::Nodes, &nodes);
+            self.write(Binding::CreaseStates, &creases);
+            // The start is the first good state.
+            self.write(Binding::KeptNodes, &nodes);
+            self.write(Binding::KeptAngles, &angles);
+        })
+    }
+
+    fn write<T: Pod>(&self, binding: Binding, contents: &[T]) {
+        if !contents.is_empty() {
+            self.gpu.queue().write_buffer(&self.buffers[&binding], 0, bytemuck::cast_slice(contents));
+        }
+    }
+
+    fn submit(&self, instances: usize, from: u64, to: u64) -> Result<Looked<Control>, GpuError> {
+        #[expect(clippy::cast_possible_truncation, reason = "at most 65 535")]
+        let count = instances as u32;
+        self.gpu.scoped(|| {
+            let mut encoder = self.gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            {
+                let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+                self.record(&mut pass, count, from, to);
+            }
+            self.look(encoder, Binding::Control, instances)
+        })
+    }
+
+    /// Copies the first `count` of a buffer for reading, after all that `encoder` has recorded.
+    fn look<T: Pod>(&self, mut encoder: wgpu::CommandEncoder, binding: Binding, count: usize) -> Looked<T> {
+        let size = (count * size_of::<T>()) as u64;
+        let copy = self.gpu.device().create_buffer(&wgpu::BufferDescriptor {
+            label: Some("what is read"),
+            size: size.max(4),
+            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        if size > 0 {
+            encoder.copy_buffer_to_buffer(&self.buffers[&binding], 0, &copy, 0, size);
+        }
+        let submission = self.gpu.queue().submit([encoder.finish()]);
+        let mapped = Arc::new(OnceLock::new());
+        let told = Arc::clone(&mapped);
+        copy.map_async(wgpu::MapMode::Read, .., move |result| {
+            let _ = told.set(result.is_ok());
+        });
+        Looked { copy, size, submission, mapped, contents: std::marker::PhantomData }
+    }
+
+    /// All of a buffer's first `count`.
+    pub(crate) fn read<T: Pod>(&self, binding: Binding, count: usize) -> Result<Vec<T>, GpuError> {
+        let looked = self.gpu.scoped(|| {
+            let encoder = self.gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            self.look(encoder, binding, count)
+        })?;
+        looked.wait(self)
+    }
+
+    fn endings(&self, instances: usize) -> Result<Vec<Ending>, GpuError> {
+        let controls: Vec<Control> = self.read(Binding::Control, instances)?;
+        let (node_count, crease_count) = (self.variant.nodes, self.variant.creases);
+        let nodes: Vec<Node> = self.read(Binding::Nodes, instances * node_count)?;
+        let creases: Vec<CreaseState> = self.read(Binding::CreaseStates, instances * crease_count)?;
+        let diverged = controls.iter().any(|c| c.bad_node != NONE);
+        let kept_nodes: Vec<Node> =
+            if diverged { self.read(Binding::KeptNodes, instances * node_count)? } else { Vec::new() };
+        let kept_angles: Vec<f32> =
+            if diverged { self.read(Binding::KeptAngles, instances * crease_count)? } else { Vec::new() };
+        let ending = |(i, control): (usize, Control)| {
+            let own_nodes = i * node_count..(i + 1) * node_count;
+            let own_creases = i * crease_count..(i + 1) * crease_count;
+            let bad = control.bad_node != NONE;
+            Ending {
+                control,
+                nodes: nodes[own_nodes.clone()].to_vec(),
+                creases: creases[own_creases.clone()].to_vec(),
+                kept: bad.then(|| (kept_nodes[own_nodes].to_vec(), kept_angles[own_creases].to_vec())),
+            }
+        };
+        Ok(controls.into_iter().enumerate().map(ending).collect())
+    }
+}
+
+/// A copy on its way to the processor.
+struct Looked<T> {
+    copy: wgpu::Buffer,
+    size: u64,
+    submission: wgpu::SubmissionIndex,
+    mapped: Arc<OnceLock<bool>>,
+    contents: std::marker::PhantomData<T>,
+}
+
+impl<T: Pod> Looked<T> {
+    fn wait(self, engine: &Engine) -> Result<Vec<T>, GpuError> {
+        engine.gpu.wait_for(self.submission)?;
+        if self.mapped.get() != Some(&true) {
+            return Err(GpuError::Refused("a buffer could not be read".to_owned()));
+        }
+        let view = self.copy.get_mapped_range(..self.size.max(4));
+        let view = view.map_err(|error| GpuError::Refused(format!("a buffer could not be read: {error}")))?;
+        // A mapped buffer need not be aligned as the contents are.
+        let bytes: &[u8] = &view[..usize::try_from(self.size).unwrap_or(0)];
+        Ok(bytemuck::pod_collect_to_vec(bytes))
+    }
+}
+
+fn control(beginning: &Beginning<'_>) -> Control {
+    let material = beginning.model.material;
+    let ramp = if beginning.goals == beginning.state.targets { 0 } else { beginning.ramp };
+    Control {
+        limit: u32::try_from(beginning.limit).unwrap_or(u32::MAX),
+        bad_node: NONE,
+        // The first evaluation is one part of the way.
+        ramp_step: ramp.min(1),
+        ramp_length: ramp,
+        stops_when_settled: u32::from(beginning.stops_when_settled),
+        distance: f32::INFINITY,
+        tolerance: narrow(beginning.tolerance),
+        fire_step: narrow(fire::FIRST_STEP),
+        mixing: narrow(fire::MIXING),
+        next_step: narrow(beginning.time_step),
+        damping_sum: narrow(beginning.damping_sum),
+        ea: narrow(material.ea),
+        k_fold: narrow(material.k_fold),
+        k_facet: narrow(material.k_facet),
+        k_face: narrow(material.k_face),
+        zeta: narrow(material.zeta),
+        ..Control::default()
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "to the nearest")]
+fn narrow(x: f64) -> f32 {
+    x as f32
+}

@@ -1,0 +1,78 @@
+// FIRE on row-sum masses (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006): every node moves at its own local step.
+
+override FIRE_RENEWAL: u32 = 50u;
+override LONGEST_STEP: f32 = 1.5;
+override SHORTEST_STEP: f32 = 0.028;
+override LONGER: f32 = 1.1;
+override SHORTER: f32 = 0.5;
+override MIXING: f32 = 0.15;
+override LESS_MIXING: f32 = 0.99;
+override PATIENCE: u32 = 5u;
+
+// Whether this evaluation renews the masses.
+fn renews(instance: u32) -> bool {
+    return control[instance].step % FIRE_RENEWAL == 0u;
+}
+
+// Keeps the force on a node and, now and then, its mass; the node's part of power, speed and pull.
+fn weigh(instance: u32, n: u32) -> vec4<f32> {
+    let node = instance * NODES + n;
+    let sum = gathered(instance, n);
+    if (renews(instance)) {
+        nodes[node].mass = sum.w;
+    }
+    let force = sum.xyz;
+    nodes[node].force = force;
+    let mass = nodes[node].mass;
+    let velocity = nodes[node].velocity;
+    return vec4<f32>(dot(force, velocity), mass * dot(velocity, velocity), dot(force, force) / mass, 0.0);
+}
+
+// Decides, from the sums over all nodes, how they move; keeps count and leads the ramp.
+fn fire(instance: u32, sums: vec4<f32>) {
+    let power = sums.x;
+    let speed = sums.y;
+    let pull = sums.z;
+    var step = control[instance].fire_step;
+    var mixing = control[instance].mixing;
+    let uphill = power < 0.0;
+    if (uphill) {
+        step = max(SHORTER * step, SHORTEST_STEP);
+        mixing = MIXING;
+        control[instance].downhill = 0u;
+    } else {
+        let downhill = control[instance].downhill + 1u;
+        control[instance].downhill = downhill;
+        if (downhill > PATIENCE) {
+            step = min(LONGER * step, LONGEST_STEP);
+            mixing *= LESS_MIXING;
+        }
+    }
+    var turn = 0.0;
+    if (pull > 0.0) {
+        turn = mixing * sqrt(speed / pull);
+    }
+    control[instance].fire_step = step;
+    control[instance].mixing = mixing;
+    control[instance].keep = select(1.0 - mixing, 0.0, uphill);
+    control[instance].towards_force = select(turn + step, step, uphill);
+    control[instance].back = select(0.0, -0.5 * step, uphill);
+
+    control[instance].step += 1u;
+    // The ramp waits while a crease turns too fast.
+    if (atomicExchange(&control[instance].held, 0u) == 0u) {
+        control[instance].ramp_step = min(control[instance].ramp_step + 1u, control[instance].ramp_length);
+    }
+    atomicStore(&control[instance].farthest, 0u);
+    atomicStore(&control[instance].fastest, 0u);
+}
+
+fn fire_step(instance: u32, n: u32) {
+    let node = instance * NODES + n;
+    let velocity = nodes[node].velocity;
+    let step = control[instance].fire_step;
+    let force = nodes[node].force * (control[instance].towards_force / nodes[node].mass);
+    let turned = velocity * control[instance].keep + force;
+    nodes[node].velocity = turned;
+    advance(instance, n, turned * step + velocity * control[instance].back);
+}

@@ -1,0 +1,27 @@
+// One material for all instances: constants of the pipeline.
+
+override EA: f32 = 20.0;
+override K_FOLD: f32 = 0.7;
+override K_FACET: f32 = 0.7;
+override K_FACE: f32 = 0.2;
+override ZETA: f32 = 0.45;
+
+fn ea(instance: u32) -> f32 {
+    return EA;
+}
+
+fn k_fold(instance: u32) -> f32 {
+    return K_FOLD;
+}
+
+fn k_facet(instance: u32) -> f32 {
+    return K_FACET;
+}
+
+fn k_face(instance: u32) -> f32 {
+    return K_FACE;
+}
+
+fn zeta(instance: u32) -> f32 {
+    return ZETA;
+}

@@ -1,0 +1,17 @@
+// Fifth pass: moves every node by its new velocity, and takes note where it leaves all bounds.
+
+@compute @workgroup_size(WORKGROUP)
+fn positions(@builtin(global_invocation_id) id: vec3<u32>) {
+    let n = id.x;
+    if (n >= settings.nodes || status.running == 0u) {
+        return;
+    }
+    let velocity = next_velocities[n].xyz;
+    let way = settings.time_step * velocity;
+    let displacement = motions[n].displacement + way;
+    motions[n] = Motion(displacement, velocity);
+    let position = nodes[n].rest + displacement;
+    if (beyond(dot(position, position), FARTHEST * FARTHEST) || beyond(dot(way, way), LONGEST_MOVE * LONGEST_MOVE)) {
+        atomicMin(&status.bad_node, n);
+    }
+}

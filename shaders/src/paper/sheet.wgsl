@@ -1,0 +1,113 @@
+// What the paper's five passes share: the sheet and its state. Positions are displacements from rest.
+
+override WORKGROUP: u32 = 64u;
+// Constants of the core, by the names that they have there.
+override DEGENERATE: f32 = 1e-6;
+override FARTHEST: f32 = 100.0;
+override LONGEST_MOVE: f32 = 1.0;
+
+const NONE: u32 = 0xffffffffu;
+
+struct Settings {
+    nodes: u32,
+    triangles: u32,
+    creases: u32,
+    time_step: f32,
+    k_face: f32,
+}
+
+struct Status {
+    // The first node out of bounds.
+    bad_node: atomic<u32>,
+    steps: u32,
+    running: u32,
+}
+
+// Ranges tell where the lists below speak of a node.
+struct Node {
+    rest: vec3<f32>,
+    fixed_in_place: u32,
+    beams: vec2<u32>,
+    creases: vec2<u32>,
+    corners: vec2<u32>,
+}
+
+struct Motion {
+    displacement: vec3<f32>,
+    velocity: vec3<f32>,
+}
+
+struct Triangle {
+    nodes: array<u32, 3>,
+    // At rest, from each corner to the next.
+    sides: array<vec3<f32>, 3>,
+    // Cosine and sine of the first two angles at rest.
+    angles: vec4<f32>,
+}
+
+struct Crease {
+    // Apexes 1 and 2, then ends 3 and 4.
+    nodes: array<u32, 4>,
+    // At rest, from end 3: to end 4, to either apex.
+    along: vec3<f32>,
+    triangle_one: u32,
+    to_one: vec3<f32>,
+    triangle_two: u32,
+    to_two: vec3<f32>,
+}
+
+struct Spring {
+    angle: f32,
+    goal: f32,
+    stiffness: f32,
+    // One over the height of each apex over the crease, and where its foot lies between the ends.
+    per_height: vec2<f32>,
+    foot: vec2<f32>,
+}
+
+struct BeamEnd {
+    // At rest, from the node to the other end.
+    rest: vec3<f32>,
+    rest_length: f32,
+    other: u32,
+    stiffness: f32,
+    damping: f32,
+}
+
+// That a node is one of the four of a crease, or one of the three of a triangle.
+struct Role {
+    element: u32,
+    // 0 to 3, or 0 to 2.
+    place: u32,
+    // Of a crease only.
+    triangle_one: u32,
+    triangle_two: u32,
+}
+
+@group(0) @binding(0) var<uniform> settings: Settings;
+@group(0) @binding(1) var<storage, read_write> status: Status;
+@group(0) @binding(2) var<storage, read> nodes: array<Node>;
+@group(0) @binding(3) var<storage, read_write> motions: array<Motion>;
+@group(0) @binding(4) var<storage, read_write> next_velocities: array<vec4<f32>>;
+@group(0) @binding(5) var<storage, read> triangles: array<Triangle>;
+// Unit normals; the last number is twice the area.
+@group(0) @binding(6) var<storage, read_write> face_normals: array<vec4<f32>>;
+@group(0) @binding(7) var<storage, read> creases: array<Crease>;
+@group(0) @binding(8) var<storage, read_write> springs: array<Spring>;
+@group(0) @binding(9) var<storage, read> beam_ends: array<BeamEnd>;
+@group(0) @binding(10) var<storage, read> roles: array<Role>;
+
+// From one node to another that lies `rest` away from it at rest.
+fn between(rest: vec3<f32>, start: u32, end: u32) -> vec3<f32> {
+    return rest + (motions[end].displacement - motions[start].displacement);
+}
+
+// Whether a crease, or a height over it, is too short for an angle to mean anything.
+fn too_thin(length: f32, doubled_area_one: f32, doubled_area_two: f32) -> bool {
+    return length < DEGENERATE || min(doubled_area_one, doubled_area_two) < DEGENERATE * length;
+}
+
+// Whether |x| > limit. Compared as bits, since a compiler may take NaN for impossible: its bits are the largest.
+fn beyond(x: f32, limit: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7fffffffu) > bitcast<u32>(limit);
+}

@@ -1,0 +1,32 @@
+// When to stop, per node: how far it moved in the window, and how its force changed. The springs' forces lie in the slots.
+
+@compute @workgroup_size(WORKGROUP)
+fn settle(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(local_invocation_index) local: u32,
+) {
+    let instance = id.y;
+    // The square of the way, the least distance; force along the way, its change along the way.
+    var own = vec4<f32>(0.0);
+    let looks = control[instance].stop == RUNNING && ramp_is_done(instance) && window_ends(instance);
+    if (id.x < NODES && looks) {
+        let node = instance * NODES + id.x;
+        let force = gathered(instance, id.x).xyz;
+        let before = windows[node];
+        let moved = vector(between(Place(before.high, before.low), place(node)));
+        own = vec4<f32>(
+            dot(moved, moved),
+            sqrt(dot(force, force)) * nodes[node].softness,
+            dot(force, moved),
+            dot(force - before.force, moved),
+        );
+        windows[node].high = nodes[node].high;
+        windows[node].low = nodes[node].low;
+        windows[node].force = force;
+    }
+    let both = workgroup_maxima_and_sums(local, own);
+    if (local == 0u) {
+        partials[group.y * GROUPS + group.x] = both;
+    }
+}

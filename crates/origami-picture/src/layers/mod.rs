@@ -1,0 +1,149 @@
+//! Layers that lie upon each other: which is on top, where depth cannot tell.
+//!
+//! A sheet folded flat has no thickness, and what the solver leaves between its layers is rounding. Their order follows
+//! from the folds: a valley lays its second face on the front of its first, and paper does not go through paper (the
+//! taco and tortilla conditions of J. Justin, 1994, as E. Demaine and J. O'Rourke, Geometric Folding Algorithms, 2007,
+//! chapter 12, name them). What they leave open the positions decide.
+
+mod circles;
+mod conditions;
+mod order;
+mod overlap;
+mod pairs;
+mod spread;
+
+use origami_core::Model;
+use origami_core::glam::DVec3;
+
+use order::Order;
+pub use pairs::NEAR;
+use pairs::Pairs;
+
+/// How a triangle is moved in depth, and nowhere else, so that it is seen to lie where it belongs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Layer {
+    /// The unit vector along which layers are counted; zero for a triangle that lies on none.
+    pub up: [f32; 3],
+    /// By how much each of the triangle's corners is moved along it, in radii.
+    pub heights: [f32; 3],
+}
+
+/// How far apart layers are drawn that lie upon each other, in radii.
+pub const LAYER: f64 = 4e-3;
+
+/// The order of layers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stack {
+    /// How each triangle is moved; empty where none lie upon each other.
+    pub layers: Vec<Layer>,
+    /// Pairs of triangles, the first under the second, that lie upon each other in a circle.
+    pub circles: Vec<[u32; 2]>,
+}
+
+/// The order of a sheet's layers; `positions` by node, in radii.
+///
+/// More than some twenty thousand pairs of triangles upon each other are left to their depths.
+#[must_use]
+pub fn stack(model: &Model, positions: &[DVec3]) -> Stack {
+    if positions.len() != model.node_count() || positions.iter().any(|p| !p.is_finite()) {
+        return Stack::default();
+    }
+    let Some(pairs) = Pairs::find(model, positions) else { return Stack::default() };
+    let mut order = Order::new(&pairs);
+    conditions::add(model, positions, &pairs, &mut order);
+    order.decide();
+    let circling = circles::circling(&pairs, &order);
+    let heights = spread::spread(&pairs, &order, &circling, &spread::welds(model, &pairs));
+    let layer = |(t, heights): (usize, [f64; 3])| Layer {
+        up: pairs.up[t].to_array().map(|x| x as f32),
+        heights: heights.map(|h| h as f32),
+    };
+    Stack {
+        layers: heights.into_iter().enumerate().map(layer).collect(),
+        circles: circles::circles(&pairs, &order, &circling),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use origami_core::generate::{BirdBase, SingleCrease, SquareTwist};
+    use origami_core::{CreasePattern, Material, Relax};
+
+    fn folded(pattern: &CreasePattern, percent: f64) -> (Model, Vec<DVec3>) {
+        let model = Model::new(pattern, &Material::default()).unwrap();
+        let state = Relax::default().fold_from_rest(&model, percent).unwrap().state;
+        (model, state.positions)
+    }
+
+    /// How far the middle of a triangle is moved.
+    fn height(layer: Layer, along: DVec3) -> f64 {
+        let mean = layer.heights.iter().sum::<f32>() / 3.0;
+        DVec3::from_array(layer.up.map(f64::from)).dot(along) * f64::from(mean)
+    }
+
+    #[test]
+    fn what_does_not_lie_upon_itself_has_no_layers() {
+        let pattern = BirdBase::default().pattern().unwrap();
+        for percent in [0.0, 50.0] {
+            let (model, positions) = folded(&pattern, percent);
+            assert_eq!(stack(&model, &positions), Stack::default(), "{percent} %");
+        }
+    }
+
+    #[test]
+    fn a_valley_lays_the_second_face_on_the_front_of_the_first() {
+        for angle in [180.0, -180.0_f64] {
+            let pattern = SingleCrease { angle: angle.to_radians(), ..SingleCrease::default() }.pattern().unwrap();
+            let (model, positions) = folded(&pattern, 100.0);
+            let layers = stack(&model, &positions).layers;
+            let crease = model.creases.iter().find(|c| c.goal.abs() > 3.0).unwrap();
+            let [Some(one), Some(two)] = model.mesh.sides[crease.side.index()].triangles else { panic!("two faces") };
+            let [a, b, c] = model.mesh.triangles[one.index()].map(|n| positions[n.index()]);
+            let front = (b - a).cross(c - a).normalize();
+            let step = height(layers[two.index()], front) - height(layers[one.index()], front);
+            assert!(step * angle.signum() > 0.8 * LAYER, "{angle}: {step}");
+        }
+    }
+
+    /// Every triangle of the bird base is a layer away from all it lies upon, and what both folds of a crease say holds.
+    #[test]
+    fn layers_of_a_flat_base_are_all_apart() {
+        let pattern = BirdBase::default().pattern().unwrap();
+        let (model, positions) = folded(&pattern, 100.0);
+        let pairs = Pairs::find(&model, &positions).unwrap();
+        let stack = stack(&model, &positions);
+        assert!(pairs.triangles.len() > 20 && stack.circles.is_empty());
+        for (pair, contacts) in pairs.contacts.iter().enumerate() {
+            let gap = |contact: &pairs::Contact| {
+                let at = |k: usize| {
+                    let heights = stack.layers[pairs.triangles[pair][k] as usize].heights;
+                    (0..3).map(|c| contact.weights[k][c] * f64::from(heights[c])).sum::<f64>()
+                };
+                contact.height + at(1) - at(0)
+            };
+            let gaps: Vec<f64> = contacts.iter().map(gap).collect();
+            let apart = |sign: f64| gaps.iter().all(|gap| sign * gap > 0.8 * LAYER);
+            assert!(apart(1.0) || apart(-1.0), "{:?}: {gaps:?}", pairs.triangles[pair]);
+        }
+    }
+
+    /// The four pleats of a square twist hold each other down like the flaps of a box.
+    #[test]
+    fn a_twist_lies_in_a_circle() {
+        let pattern = SquareTwist::default().pattern().unwrap();
+        let (model, positions) = folded(&pattern, 100.0);
+        let circles = stack(&model, &positions).circles;
+        let mut under: Vec<u32> = vec![circles[0][0]];
+        // Going up from layer to layer one never comes to an end.
+        for _ in 0..50 {
+            let last = under[under.len() - 1];
+            let next = circles.iter().find(|[low, high]| *low == last && !under.ends_with(&[*high]));
+            match next {
+                Some([_, high]) => under.push(*high),
+                None => break,
+            }
+        }
+        assert!(under.len() == 51, "{under:?}");
+    }
+}

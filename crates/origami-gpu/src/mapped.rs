@@ -54,38 +54,36 @@ mod tests {
     use super::*;
     use crate::testing::gpu;
 
-    /// A buffer that holds the numbers from `first` on, read back.
-    fn read_back(gpu: &Gpu, first: u32) -> Result<Vec<u32>, GpuError> {
-        let numbers: Vec<u32> = (first..first + 16).collect();
-        let mapped = gpu.scoped(|| {
-            let buffer = gpu.device().create_buffer(&wgpu::BufferDescriptor {
-                label: None,
-                size: 128,
-                usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            });
-            gpu.queue().write_buffer(&buffer, 0, bytemuck::cast_slice(&numbers));
-            let submission = gpu.queue().submit([]);
-            (Mapped::new(buffer), submission)
+    fn buffer(gpu: &Gpu, numbers: &[u32]) -> wgpu::Buffer {
+        let buffer = gpu.device().create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size: size_of_val(numbers) as u64,
+            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
         });
-        let (mapped, submission) = mapped?;
-        gpu.wait_for(submission)?;
-        mapped.contents(gpu, "the numbers", 64)
+        gpu.queue().write_buffer(&buffer, 0, bytemuck::cast_slice(numbers));
+        buffer
     }
 
     #[test]
-    fn threads_do_not_disturb_each_other() {
+    fn a_callback_that_another_thread_has_taken_on_is_waited_for() {
         let Some(gpu) = gpu() else { return };
+        // In a device of its own no other test takes the callbacks on.
+        let gpu = Gpu::open(&crate::AdapterChoice::Named(gpu.adapter().to_string())).expect("opened before");
+        let (first, second) = (buffer(&gpu, &[1, 2]), buffer(&gpu, &[3, 4]));
+        let submission = gpu.queue().submit([]);
+        let (tell, begun) = channel();
+        first.map_async(wgpu::MapMode::Read, .., move |_| {
+            tell.send(()).expect("it is waited for");
+            std::thread::sleep(Duration::from_millis(100));
+        });
+        let mapped = Mapped::new(second);
         std::thread::scope(|scope| {
-            for thread in 0..8 {
-                let gpu = &gpu;
-                scope.spawn(move || {
-                    for round in 0..100 {
-                        let first = 1000 * thread + round;
-                        assert_eq!(read_back(gpu, first), Ok((first..first + 16).collect()));
-                    }
-                });
-            }
+            scope.spawn(|| gpu.wait().expect("it holds"));
+            begun.recv().expect("the other thread has both callbacks, and is busy with the first");
+            gpu.wait_for(submission).expect("done long ago");
+            assert!(mapped.told.try_recv().is_err(), "why waiting for the submission does not suffice");
+            assert_eq!(mapped.contents(&gpu, "the numbers", 8), Ok(vec![3_u32, 4]));
         });
     }
 }

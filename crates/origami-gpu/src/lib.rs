@@ -10,6 +10,7 @@ mod error;
 mod inventory;
 mod kernels;
 mod layout;
+mod mapped;
 mod paper;
 mod pipeline;
 mod relax;

@@ -1,7 +1,6 @@
 //! Runs an engine: writes where its instances begin, lets many steps go between two reads, and reads where they end.
 
 use std::collections::VecDeque;
-use std::sync::{Arc, OnceLock};
 
 use bytemuck::Pod;
 use glam::DVec3;
@@ -12,6 +11,7 @@ use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::kernels::Binding;
 use crate::layout::{Control, CreaseState, NONE, Node, single};
+use crate::mapped::Mapped;
 
 /// Submissions that are under way before the oldest is looked at: the queue never stands still.
 const AHEAD: usize = 2;
@@ -168,12 +168,8 @@ impl Engine {
             encoder.copy_buffer_to_buffer(&self.buffers[&binding], 0, &copy, 0, size);
         }
         let submission = self.gpu.queue().submit([encoder.finish()]);
-        let mapped = Arc::new(OnceLock::new());
-        let told = Arc::clone(&mapped);
-        copy.map_async(wgpu::MapMode::Read, .., move |result| {
-            let _ = told.set(result.is_ok());
-        });
-        Looked { copy, size, submission, mapped, contents: std::marker::PhantomData }
+        let mapped = Mapped::new(copy);
+        Looked { mapped, size, submission, what: binding.what(), contents: std::marker::PhantomData }
     }
 
     /// All of a buffer's first `count`.
@@ -212,24 +208,17 @@ impl Engine {
 
 /// A copy on its way to the processor.
 struct Looked<T> {
-    copy: wgpu::Buffer,
+    mapped: Mapped,
     size: u64,
     submission: wgpu::SubmissionIndex,
-    mapped: Arc<OnceLock<bool>>,
+    what: &'static str,
     contents: std::marker::PhantomData<T>,
 }
 
 impl<T: Pod> Looked<T> {
     fn wait(self, engine: &Engine) -> Result<Vec<T>, GpuError> {
         engine.gpu.wait_for(self.submission)?;
-        if self.mapped.get() != Some(&true) {
-            return Err(GpuError::Refused("a buffer could not be read".to_owned()));
-        }
-        let view = self.copy.get_mapped_range(..self.size.max(4));
-        let view = view.map_err(|error| GpuError::Refused(format!("a buffer could not be read: {error}")))?;
-        // A mapped buffer need not be aligned as the contents are.
-        let bytes: &[u8] = &view[..usize::try_from(self.size).unwrap_or(0)];
-        Ok(bytemuck::pod_collect_to_vec(bytes))
+        self.mapped.contents(&engine.gpu, self.what, self.size)
     }
 }
 

@@ -1,7 +1,5 @@
 //! A sheet in the memory of a GPU.
 
-use std::sync::{Arc, OnceLock};
-
 use bytemuck::Pod;
 use glam::{DVec3, Vec3};
 use origami_core::State;
@@ -10,6 +8,7 @@ use origami_core::model::Model;
 use super::kernel::{Each, Kernel, PASSES, Pass, WORKGROUP};
 use super::layout::{Motion, NONE, Settings, Slot, Spring, Status};
 use super::lists::Lists;
+use crate::mapped::Mapped;
 use crate::{Gpu, GpuError};
 
 /// A sheet in the memory of a GPU, with the passes bound to it.
@@ -135,8 +134,7 @@ impl Sheet {
         if size == 0 {
             return Ok(Vec::new());
         }
-        let mapped = Arc::new(OnceLock::new());
-        let staging = self.gpu.scoped(|| {
+        let mapped = self.gpu.scoped(|| {
             let staging = self.gpu.device().create_buffer(&wgpu::BufferDescriptor {
                 label: Some("staging"),
                 size,
@@ -146,21 +144,10 @@ impl Sheet {
             let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
             encoder.copy_buffer_to_buffer(&self.buffers[slot as usize], 0, &staging, 0, size);
             self.gpu.queue().submit([encoder.finish()]);
-            let outcome = Arc::clone(&mapped);
-            staging.map_async(wgpu::MapMode::Read, .., move |result| {
-                let _ = outcome.set(result);
-            });
-            staging
+            Mapped::new(staging)
         })?;
         self.gpu.wait()?;
-        let refused = |why: String| GpuError::Refused(format!("{} could not be read: {why}", slot.what()));
-        match mapped.get() {
-            Some(Ok(())) => {}
-            Some(Err(error)) => return Err(refused(error.to_string())),
-            None => return Err(refused("it was not mapped".to_owned())),
-        }
-        let view = staging.get_mapped_range(..).map_err(|error| refused(error.to_string()))?;
-        Ok(bytemuck::pod_collect_to_vec(&view[..]))
+        mapped.contents(&self.gpu, slot.what(), size)
     }
 }
 

@@ -12,6 +12,7 @@ mod kernels;
 mod layout;
 mod paper;
 mod pipeline;
+mod plan;
 mod relax;
 mod run;
 mod scene;
@@ -20,6 +21,7 @@ mod shader_checks;
 mod solver;
 #[cfg(test)]
 mod testing;
+mod traffic;
 mod variant;
 
 pub use adapter::{AUTO_NODES, AdapterChoice, AdapterKind, AdapterLimits, AdapterSummary, Lack, adapters};
@@ -28,3 +30,4 @@ pub use engine::{Dispatch, WORKGROUP_NODES};
 pub use error::GpuError;
 pub use paper::PaperDynamics;
 pub use solver::OnGpu;
+pub use traffic::{BufferSize, PassTraffic, Traffic};

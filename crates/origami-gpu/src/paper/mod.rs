@@ -14,5 +14,6 @@ mod positions;
 mod sheet;
 #[cfg(test)]
 mod testing;
+mod traffic;
 
 pub use dynamics::PaperDynamics;

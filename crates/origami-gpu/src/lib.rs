@@ -2,6 +2,8 @@
 #![forbid(unsafe_code)]
 
 mod adapter;
+#[cfg(test)]
+mod buffer_table;
 mod device;
 mod dynamics;
 mod engine;

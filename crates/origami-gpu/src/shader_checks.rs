@@ -13,6 +13,15 @@ pub(crate) struct Checked {
     info: ModuleInfo,
 }
 
+impl Checked {
+    /// The names of the buffers by their bindings.
+    pub(crate) fn buffers(&self) -> BTreeMap<u32, String> {
+        let variables = self.module.global_variables.iter().map(|(_, variable)| variable);
+        let named = variables.filter_map(|v| Some((v.binding.as_ref()?.binding, v.name.clone().unwrap_or_default())));
+        named.collect()
+    }
+}
+
 /// Parses and validates a shader.
 ///
 /// # Panics

@@ -17,3 +17,5 @@ mod testing;
 mod traffic;
 
 pub use dynamics::PaperDynamics;
+#[cfg(test)]
+pub(crate) use kernel::PASSES as PAPER_PASSES;

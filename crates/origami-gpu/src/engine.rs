@@ -2,16 +2,13 @@
 
 use origami_core::Model;
 use origami_core::model::Material;
-use origami_core::solve::{dynamics, fire, settle};
 
 use crate::device::Gpu;
 use crate::error::GpuError;
-use crate::kernels::{
-    Binding, decide, edges, faces, judge, keep, loose_beams, moves, nodes, renew, row_sums, settle as settle_kernel,
-    stiffest, survey, weigh, workgroup_dynamics, workgroup_relax,
-};
+use crate::kernels::{Binding, Kernel, faces, workgroup_dynamics, workgroup_relax};
 use crate::layout::{Before, Control, CreaseState, Node};
 use crate::pipeline::{Buffers, Pass};
+use crate::plan::{Plan, TICK};
 use crate::scene::Scene;
 use crate::variant::{Motion, Variant};
 
@@ -32,9 +29,6 @@ pub const WORKGROUP_NODES: usize = 200;
 /// Loop iterations that one dispatch may take: software adapters end every loop at 65 535, silently.
 const MOST_ITERATIONS: usize = 50_000;
 
-/// Evaluations between two looks of the stopping rule: its shortest window.
-const TICK: u64 = settle::SHORTEST;
-
 /// A scene's buffers and passes, for up to so many instances.
 #[derive(Debug)]
 pub(crate) struct Engine {
@@ -42,7 +36,8 @@ pub(crate) struct Engine {
     pub(crate) variant: Variant,
     pub(crate) buffers: Buffers,
     pub(crate) instances: usize,
-    safe: bool,
+    /// Steps between two runs of `row_sums`.
+    renewal: u64,
     forces: Vec<Pass>,
     damped_forces: Vec<Pass>,
     settling: Vec<Pass>,
@@ -90,7 +85,7 @@ impl Engine {
         let none = Vec::new;
         Ok(Self {
             gpu: gpu.clone(),
-            safe: false,
+            renewal: TICK,
             forces: none(),
             damped_forces: none(),
             settling: none(),
@@ -113,38 +108,27 @@ impl Engine {
         safe: bool,
     ) -> Self {
         let pass = |kernel, variant: &Variant, ticks| Pass::new(gpu, kernel, variant, ticks, &buffers);
+        let plan = Plan::new(&variant, safe);
+        let passes = |kernels: &[&'static Kernel]| kernels.iter().map(|k| pass(k, &variant, false)).collect();
         let undamped = variant.undamped();
+        let forces = plan.forces.iter().map(|k| pass(k, &undamped, false)).collect();
         let dynamics = !variant.relaxing();
-        let forces_of = |variant: &Variant, ticks| {
-            let mut passes = vec![pass(&faces::KERNEL, variant, ticks)];
-            if variant.loose_beams > 0 {
-                passes.push(pass(&loose_beams::KERNEL, variant, false));
-            }
-            passes
-        };
-        let mut forces = vec![pass(&edges::KERNEL, &variant, false)];
-        forces.extend(forces_of(&undamped, false));
+        // A workgroup that takes many steps does without the passes of single steps.
         let wide = workgroup.is_none();
-        let damped_forces = if dynamics && wide { forces_of(&variant, true) } else { Vec::new() };
-        let settling = vec![pass(&settle_kernel::KERNEL, &variant, false), pass(&judge::KERNEL, &variant, false)];
-        let row_sums = match (dynamics, safe) {
-            (true, true) => [&row_sums::KERNEL, &stiffest::KERNEL, &renew::KERNEL].as_slice(),
-            (false, _) if wide => &[&row_sums::KERNEL],
-            _ => &[],
+        let damped_forces = match dynamics && wide {
+            // The faces keep the time.
+            true => plan.forces[1..].iter().map(|k| pass(k, &variant, k.name == faces::KERNEL.name)).collect(),
+            false => Vec::new(),
         };
-        let motion = match (dynamics, wide) {
-            (_, false) => [].as_slice(),
-            (true, _) => &[&nodes::KERNEL],
-            (false, _) => &[&weigh::KERNEL, &decide::KERNEL, &moves::KERNEL],
-        };
-        let row_sums = row_sums.iter().map(|k| pass(k, &variant, false)).collect();
-        let motion = motion.iter().map(|k| pass(k, &variant, false)).collect();
-        let keeping = vec![pass(&survey::KERNEL, &variant, false), pass(&keep::KERNEL, &variant, false)];
+        let settling = passes(plan.settling);
+        let row_sums = if dynamics || wide { passes(plan.row_sums) } else { Vec::new() };
+        let motion = if wide { passes(plan.motion) } else { Vec::new() };
+        let keeping = passes(plan.keeping);
         let kernel = if dynamics { &workgroup_dynamics::KERNEL } else { &workgroup_relax::KERNEL };
         let workgroup = workgroup.map(|variant| pass(kernel, variant, false));
         Self {
             gpu: gpu.clone(),
-            safe,
+            renewal: plan.renewal,
             forces,
             damped_forces,
             settling,
@@ -158,16 +142,12 @@ impl Engine {
         }
     }
 
-    /// How many steps one recording has to be a multiple of, but for the last.
-    pub(crate) fn grain(&self) -> u64 {
-        TICK
-    }
-
-    /// Records the steps `from..to`, counted since the start; `from` is a multiple of [`Engine::grain`].
+    /// Records the steps `from..to`, counted since the start; `from` is a multiple of [`TICK`].
     pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, instances: u32, from: u64, to: u64) {
         let mut record = |passes: &[Pass]| passes.iter().for_each(|p| p.record(pass, instances));
         let dynamics = !self.variant.relaxing();
-        let renews = |step: u64| dynamics && self.safe && step > 0 && step.is_multiple_of(dynamics::RENEWAL);
+        // Dynamics begins with a time step, a relaxation without masses.
+        let renews = |step: u64| step.is_multiple_of(self.renewal) && (step > 0 || !dynamics);
         if let Some(workgroup) = &self.workgroup {
             for step in (from..to).step_by(TICK as usize) {
                 record(&self.forces);
@@ -191,7 +171,7 @@ impl Engine {
                 if looks {
                     record(&self.settling);
                 }
-                if renews(step) || !dynamics && step.is_multiple_of(fire::RENEWAL) {
+                if renews(step) {
                     record(&self.row_sums);
                 }
                 record(&self.damped_forces);

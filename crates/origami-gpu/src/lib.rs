@@ -2,6 +2,8 @@
 #![forbid(unsafe_code)]
 
 mod adapter;
+#[cfg(test)]
+mod buffer_table;
 mod device;
 mod dynamics;
 mod engine;
@@ -13,6 +15,7 @@ mod layout;
 mod mapped;
 mod paper;
 mod pipeline;
+mod plan;
 mod relax;
 mod run;
 mod scene;
@@ -21,6 +24,7 @@ mod shader_checks;
 mod solver;
 #[cfg(test)]
 mod testing;
+mod traffic;
 mod variant;
 
 pub use adapter::{AUTO_NODES, AdapterChoice, AdapterKind, AdapterLimits, AdapterSummary, Lack, adapters};
@@ -29,3 +33,4 @@ pub use engine::{Dispatch, WORKGROUP_NODES};
 pub use error::GpuError;
 pub use paper::PaperDynamics;
 pub use solver::OnGpu;
+pub use traffic::{BufferSize, PassTraffic, Traffic};

@@ -12,13 +12,10 @@ use crate::error::GpuError;
 use crate::kernels::Binding;
 use crate::layout::{Control, CreaseState, NONE, Node, single};
 use crate::mapped::Mapped;
+use crate::plan::batch;
 
 /// Submissions that are under way before the oldest is looked at: the queue never stands still.
 const AHEAD: usize = 2;
-/// Steps of one submission of a small scene, and of a large one.
-const BATCH: u64 = 100;
-const LARGE_BATCH: u64 = 20;
-const LARGE: usize = 100_000;
 
 /// Where an instance begins, and what leads it.
 pub(crate) struct Beginning<'m> {
@@ -59,8 +56,7 @@ impl Engine {
         assert!(beginnings.len() <= self.instances, "the engine was built for as many");
         self.load(beginnings)?;
         let limit = beginnings.iter().map(|b| b.limit).max().unwrap_or(0);
-        let size = if self.variant.nodes * beginnings.len() > LARGE { LARGE_BATCH } else { BATCH };
-        let batch = size.next_multiple_of(self.grain());
+        let batch = batch(self.variant.nodes * beginnings.len());
         let mut under_way = VecDeque::new();
         let mut step = 0;
         let mut running = true;

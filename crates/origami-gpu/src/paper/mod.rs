@@ -14,5 +14,8 @@ mod positions;
 mod sheet;
 #[cfg(test)]
 pub(crate) mod testing;
+mod traffic;
 
 pub use dynamics::PaperDynamics;
+#[cfg(test)]
+pub(crate) use kernel::PASSES as PAPER_PASSES;

@@ -27,30 +27,16 @@ impl Sheet {
     /// [`Gpu::scoped`] returns.
     pub(super) fn new(gpu: &Gpu, model: &Model, time_step: f64) -> Result<Self, GpuError> {
         let lists = Lists::new(model, time_step);
-        let (nodes, triangles) = (lists.nodes.len(), lists.triangles.len());
-        let bytes = |slot| match slot {
-            Slot::Settings => bytemuck::bytes_of(&lists.settings),
-            Slot::Nodes => bytemuck::cast_slice(&lists.nodes),
-            Slot::Triangles => bytemuck::cast_slice(&lists.triangles),
-            Slot::Creases => bytemuck::cast_slice(&lists.creases),
-            Slot::BeamEnds => bytemuck::cast_slice(&lists.beam_ends),
-            Slot::Roles => bytemuck::cast_slice(&lists.roles),
-            // wgpu fills these with zeros.
-            Slot::Status | Slot::Motions | Slot::NextVelocities | Slot::FaceNormals | Slot::Springs => [].as_slice(),
-        };
-        let size = |slot| match slot {
-            Slot::Status => size_of::<Status>(),
-            Slot::Motions => nodes * size_of::<Motion>(),
-            Slot::NextVelocities => nodes * size_of::<[f32; 4]>(),
-            Slot::FaceNormals => triangles * size_of::<[f32; 4]>(),
-            Slot::Springs => lists.creases.len() * size_of::<Spring>(),
-            filled => bytes(filled).len(),
-        };
+        let size = |slot| lists.size(slot);
         for slot in Slot::ALL {
             check(gpu, slot.what(), size(slot) as u64, gpu.limits().max_storage_buffer_binding_size)?;
         }
-        for (count, what) in [(nodes, Slot::Nodes), (triangles, Slot::Triangles), (lists.creases.len(), Slot::Creases)]
-        {
+        let counts = [
+            (lists.nodes.len(), Slot::Nodes),
+            (lists.triangles.len(), Slot::Triangles),
+            (lists.creases.len(), Slot::Creases),
+        ];
+        for (count, what) in counts {
             let most = u64::from(gpu.limits().max_compute_workgroups_per_dimension) * u64::from(WORKGROUP);
             let bytes_each = (size(what) / count.max(1)) as u64;
             check(gpu, what.what(), size(what) as u64, most * bytes_each.max(1))?;
@@ -58,7 +44,7 @@ impl Sheet {
         gpu.scoped(|| {
             let buffers: Vec<wgpu::Buffer> = Slot::ALL.map(|slot| buffer(gpu, slot, size(slot) as u64)).into();
             for slot in Slot::ALL {
-                gpu.queue().write_buffer(&buffers[slot as usize], 0, bytes(slot));
+                gpu.queue().write_buffer(&buffers[slot as usize], 0, lists.bytes(slot));
             }
             let passes = PASSES.map(|kernel| kernel.bound(gpu, &buffers)).into();
             Self { gpu: gpu.clone(), buffers, passes, settings: lists.settings }

@@ -1,0 +1,95 @@
+//! Binary glTF 2.0: the sheet as it folds, for viewers and for the web.
+//!
+//! Every state but the first is a morph target, and an animation goes from one to the next. Triangles share no vertices,
+//! so that facets stay flat; paper is seen from both sides. Lines are lines, which viewers draw a pixel wide.
+
+mod buffer;
+mod document;
+
+use std::io::Write;
+
+use origami_core::Error;
+use origami_core::glam::Vec3;
+
+use crate::map::Values;
+use crate::scene::{LineSet, Scene};
+use crate::theme::Theme;
+use buffer::Buffer;
+use document::Document;
+
+/// What goes into a glTF file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Glb {
+    /// Colour of the paper (that of its front: glTF knows one for both sides) and of the lines.
+    pub theme: Theme,
+    /// Which lines. Default: all but facets.
+    pub edges: LineSet,
+    /// How long the folding takes, in seconds. Default 4.
+    pub seconds: f32,
+}
+
+impl Default for Glb {
+    fn default() -> Self {
+        Self { theme: Theme::default(), edges: LineSet::default(), seconds: 4.0 }
+    }
+}
+
+impl Glb {
+    /// Writes `scene` going through `states`, each the positions of all nodes in radii; without any it is shown as it is.
+    /// A map colours all states alike.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a scene that makes no sense, a state of another sheet, a sheet without triangles, or a file
+    /// beyond 4 GB; [`Error::Io`] with path `-` if writing fails.
+    pub fn write(&self, scene: &Scene, states: &[Vec<[f32; 3]>], mut writer: impl Write) -> Result<(), Error> {
+        scene.check()?;
+        if scene.triangles.is_empty() {
+            return Err(Error::invalid("glTF", "the sheet has no faces", "at least one triangle"));
+        }
+        let own = [scene.positions.clone()];
+        let states = if states.is_empty() { &own[..] } else { states };
+        for (i, state) in states.iter().enumerate() {
+            if state.len() != scene.positions.len() || !state.iter().flatten().all(|x| x.is_finite()) {
+                let expected = format!("{} finite ones", scene.positions.len());
+                return Err(Error::invalid(format!("state {i}"), format!("{} positions", state.len()), expected));
+            }
+        }
+        let file = self.file(scene, states)?;
+        writer.write_all(&file).and_then(|()| writer.flush()).map_err(|source| Error::Io { path: "-".into(), source })
+    }
+
+    fn file(&self, scene: &Scene, states: &[Vec<[f32; 3]>]) -> Result<Vec<u8>, Error> {
+        let mut document = Document::new(Buffer::default());
+        let corners: Vec<u32> = scene.triangles.iter().flatten().copied().collect();
+        document.faces(&corners, states, self.colours(scene), self.theme.front.linear());
+        let lines: Vec<_> = scene.lines.iter().filter(|line| self.edges.has(line.kind)).collect();
+        if !lines.is_empty() {
+            let ends: Vec<u32> = lines.iter().flat_map(|line| line.nodes).collect();
+            let colours = lines.iter().flat_map(|line| [self.theme.line(line.kind).colour.linear(); 2]).collect();
+            document.lines(&ends, states, colours);
+        }
+        document.animate(states.len(), if self.seconds > 0.0 && self.seconds.is_finite() { self.seconds } else { 4.0 });
+        document.into_bytes()
+    }
+
+    /// The map's colour of each corner of each triangle, as light.
+    fn colours(&self, scene: &Scene) -> Option<Vec<[f32; 3]>> {
+        let map = scene.map.as_ref()?;
+        let colour = |value: f32| map.scale.colours.colour(f64::from(map.scale.share(value))).linear();
+        Some(match &map.values {
+            Values::Nodes(values) => scene.triangles.iter().flatten().map(|n| colour(values[*n as usize])).collect(),
+            Values::Triangles(values) => values.iter().flat_map(|value| [colour(*value); 3]).collect(),
+        })
+    }
+}
+
+/// Positions of these nodes. glTF's y points up, the sheet's z does.
+fn places(nodes: &[u32], state: &[[f32; 3]]) -> Vec<Vec3> {
+    nodes.iter().map(|n| state[*n as usize]).map(|[x, y, z]| Vec3::new(x, z, -y)).collect()
+}
+
+/// The normal of each corner's triangle; upwards where it has none.
+fn normals(places: &[Vec3]) -> Vec<Vec3> {
+    let of = |t: &[Vec3]| (t[1] - t[0]).cross(t[2] - t[0]).try_normalize().unwrap_or(Vec3::Y);
+    places.chunks_exact(3).flat_map(|triangle| [of(triangle); 3]).collect()
+}

@@ -1,0 +1,60 @@
+//! From a model in one state to a scene.
+
+use origami_core::glam::DVec3;
+use origami_core::{CreasePattern, Model};
+
+use super::{Line, LineKind, Scene, chains, lips};
+use crate::layers::stack;
+use crate::map::Map;
+
+impl Scene {
+    /// The sheet with its nodes at `positions` (in radii). A position that is missing counts as the one at rest.
+    #[must_use]
+    pub fn new(pattern: &CreasePattern, model: &Model, positions: &[DVec3]) -> Self {
+        let mut scene = Self {
+            triangles: model.mesh.triangles.iter().map(|t| t.map(|node| node.0)).collect(),
+            lines: lines(pattern, model),
+            ..Self::default()
+        };
+        scene.move_to(model, positions);
+        scene
+    }
+
+    /// The same sheet in another state: positions and layers change.
+    pub fn move_to(&mut self, model: &Model, positions: &[DVec3]) {
+        let all = positions.iter().chain(model.rest.iter().skip(positions.len()));
+        self.positions.clear();
+        self.positions.extend(all.take(model.rest.len()).map(|p| p.to_array().map(|x| x as f32)));
+        let stack = stack(model, positions);
+        (self.layers, self.circles) = (stack.layers, stack.circles);
+    }
+}
+
+impl Scene {
+    /// The same scene with values in place of the paper's colours.
+    #[must_use]
+    pub fn with_map(self, map: Map) -> Self {
+        Self { map: Some(map), ..self }
+    }
+}
+
+/// One for each side of the triangulation.
+fn lines(pattern: &CreasePattern, model: &Model) -> Vec<Line> {
+    let rim = model.mesh.sides.iter().map(|side| {
+        let single = side.triangles.iter().flatten().count() == 1;
+        single.then(|| side.nodes.map(|n| model.rest[n.index()]))
+    });
+    let lips = lips::find(&rim.collect::<Vec<_>>());
+    let lines = model.mesh.sides.iter().zip(&lips).map(|(side, lip)| {
+        let kind = side.edge.and_then(|edge| pattern.edges.get(edge.index())).map_or(LineKind::Facet, LineKind::of);
+        Line {
+            nodes: side.nodes.map(|node| node.0),
+            along: [0.0; 2],
+            kind: if *lip && kind == LineKind::Boundary { LineKind::Cut } else { kind },
+            triangles: side.triangles.map(|triangle| triangle.map(|t| t.0)),
+        }
+    });
+    let mut lines: Vec<Line> = lines.collect();
+    chains::measure(&mut lines, &model.rest);
+    lines
+}

@@ -1,0 +1,109 @@
+//! Reads the glTF files that we write with another reader.
+
+use origami_core::generate::catalog;
+use origami_core::solve::{fold_path, frame_percents};
+use origami_core::{Material, Model, Relax};
+use origami_picture::{ColourMap, Glb, LineSet, Map, Quantity, Scene};
+
+struct Folded {
+    scene: Scene,
+    states: Vec<Vec<[f32; 3]>>,
+}
+
+fn folded(frames: u32) -> Folded {
+    let pattern = catalog::generate("miura", &[]).unwrap();
+    let model = Model::new(&pattern, &Material::default()).unwrap();
+    let path = fold_path(&model, &Relax::default(), &frame_percents(60.0, frames), &mut |_, _| {}).unwrap();
+    let states = path.iter().map(|f| f.state.positions.iter().map(|p| p.to_array().map(|x| x as f32)).collect());
+    let last = &path.last().unwrap().state;
+    let map = Map::new(Quantity::Strain, &model, last, ColourMap::Viridis, None);
+    Folded { scene: Scene::new(&pattern, &model, &last.positions).with_map(map), states: states.collect() }
+}
+
+/// The positions that a viewer shows for these weights of the targets.
+fn shown(primitive: &gltf::Primitive<'_>, blob: &[u8], weights: &[f32]) -> Vec<[f32; 3]> {
+    let data = |_: gltf::Buffer<'_>| Some(blob);
+    let reader = primitive.reader(data);
+    let mut places: Vec<[f32; 3]> = reader.read_positions().unwrap().collect();
+    for ((moved, ..), weight) in reader.read_morph_targets().zip(weights) {
+        for (place, by) in places.iter_mut().zip(moved.unwrap()) {
+            (0..3).for_each(|axis| place[axis] += weight * by[axis]);
+        }
+    }
+    places
+}
+
+#[test]
+fn another_reader_sees_the_sheet_fold() {
+    let Folded { scene, states } = folded(3);
+    let mut bytes = Vec::new();
+    Glb::default().write(&scene, &states, &mut bytes).unwrap();
+    // The reader validates the document.
+    let file = gltf::Gltf::from_slice(&bytes).unwrap();
+    let blob = file.blob.as_deref().unwrap();
+    let mesh = file.meshes().next().unwrap();
+    let [faces, lines] = &mesh.primitives().collect::<Vec<_>>()[..] else { panic!("faces and lines") };
+    assert!(faces.material().double_sided());
+    assert_eq!(lines.mode(), gltf::mesh::Mode::Lines);
+    assert_eq!(mesh.weights().unwrap().len(), 3);
+    // At the last key frame, and so in the file's y-up world, the sheet lies where the last state has it.
+    let animation = file.animations().next().unwrap();
+    let channel = animation.channels().next().unwrap();
+    let reader = channel.reader(|_| Some(blob));
+    let times: Vec<f32> = reader.read_inputs().unwrap().collect();
+    assert_eq!((times.len(), times[0], times[3]), (4, 0.0, 4.0));
+    let Some(gltf::animation::util::ReadOutputs::MorphTargetWeights(weights)) = reader.read_outputs() else {
+        panic!("weights")
+    };
+    let weights: Vec<f32> = weights.into_f32().collect();
+    for (state, weights) in states.iter().zip(weights.chunks(3)) {
+        for (shown, node) in shown(faces, blob, weights).iter().zip(scene.triangles.iter().flatten()) {
+            let [x, y, z] = state[*node as usize];
+            let far = [shown[0] - x, shown[1] - z, shown[2] + y];
+            assert!(far.iter().all(|d| d.abs() < 1e-6), "{shown:?} {:?}", state[*node as usize]);
+        }
+    }
+}
+
+#[test]
+fn accessors_are_aligned_and_their_bounds_hold() {
+    let Folded { scene, states } = folded(2);
+    let mut bytes = Vec::new();
+    Glb { edges: LineSet::ALL, ..Glb::default() }.write(&scene, &states, &mut bytes).unwrap();
+    assert_eq!(bytes.len() % 4, 0);
+    assert_eq!(u32::from_le_bytes(bytes[8..12].try_into().unwrap()) as usize, bytes.len());
+    let file = gltf::Gltf::from_slice(&bytes).unwrap();
+    let blob = file.blob.as_deref().unwrap();
+    for accessor in file.accessors() {
+        let view = accessor.view().unwrap();
+        assert_eq!(view.offset() % 4, 0);
+        assert!(accessor.count() * accessor.size() <= view.length() && view.offset() + view.length() <= blob.len());
+    }
+    for primitive in file.meshes().flat_map(|mesh| mesh.primitives().collect::<Vec<_>>()) {
+        let bounds = primitive.bounding_box();
+        let places = shown(&primitive, blob, &[]);
+        for axis in 0..3 {
+            let low = places.iter().map(|p| p[axis]).fold(f32::INFINITY, f32::min);
+            let high = places.iter().map(|p| p[axis]).fold(f32::NEG_INFINITY, f32::max);
+            assert_eq!((low, high), (bounds.min[axis], bounds.max[axis]));
+        }
+        let reader = primitive.reader(|_| Some(blob));
+        for normal in reader.read_normals().into_iter().flatten() {
+            assert!((normal.iter().map(|x| x * x).sum::<f32>() - 1.0).abs() < 1e-5);
+        }
+        assert!(reader.read_colors(0).is_some());
+    }
+}
+
+#[test]
+fn a_single_state_needs_no_animation_and_nonsense_is_refused() {
+    let Folded { scene, states } = folded(1);
+    let mut bytes = Vec::new();
+    Glb::default().write(&scene, &[], &mut bytes).unwrap();
+    let file = gltf::Gltf::from_slice(&bytes).unwrap();
+    assert_eq!((file.animations().count(), file.meshes().next().unwrap().weights()), (0, None));
+    let short = [states[0].clone(), vec![[0.0; 3]; 3]];
+    let error = Glb::default().write(&scene, &short, Vec::new()).unwrap_err().to_string();
+    assert!(error.starts_with("state 1: 3 positions; expected "), "{error}");
+    assert!(Glb::default().write(&Scene::default(), &[], Vec::new()).is_err());
+}

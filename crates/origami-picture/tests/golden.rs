@@ -1,0 +1,126 @@
+//! Pictures as they should be, in `tests/golden`. `ORIGAMI_UPDATE_GOLDEN=1 cargo test -p origami-picture --test golden`
+//! draws them again: look at them before they are kept.
+
+mod support;
+
+use origami_core::generate::catalog;
+use origami_core::{CreasePattern, Material, Model, Relax, State};
+use origami_picture::{
+    Camera, ColourMap, Image, LineKind, LineSet, Map, Picture, Projection, Quantity, Scene, Theme, contact_sheet,
+};
+use support::{TOLERANCE, check, compare};
+
+fn folded(name: &str, percent: f64) -> (CreasePattern, Model, State) {
+    let pattern = catalog::generate(name, &[]).unwrap();
+    let model = Model::new(&pattern, &Material::default()).unwrap();
+    let state = Relax::default().fold_from_rest(&model, percent).unwrap().state;
+    (pattern, model, state)
+}
+
+fn scene(name: &str, percent: f64) -> Scene {
+    let (pattern, model, state) = folded(name, percent);
+    Scene::new(&pattern, &model, &state.positions)
+}
+
+fn small() -> Picture {
+    Picture { width: 200, height: 160, ..Picture::default() }
+}
+
+fn from(azimuth: f64, elevation: f64) -> Picture {
+    Picture { camera: Camera { azimuth, elevation, ..Camera::default() }, ..small() }
+}
+
+#[test]
+fn folded_sheets() {
+    for (name, percent) in [("miura", 60.0), ("crane", 90.0), ("kresling", 80.0), ("curved-pleat", 80.0)] {
+        check(&format!("{name}-{percent}"), &small().draw(&scene(name, percent)).unwrap());
+    }
+}
+
+/// Layers at one place: what is on top hides all below it, lines too.
+#[test]
+fn flat_layers() {
+    let bird_base = scene("bird-base", 100.0);
+    check("bird-base-100", &from(-60.0, 10.0).draw(&bird_base).unwrap());
+    check("bird-base-100-behind", &from(120.0, 10.0).draw(&bird_base).unwrap());
+    let twist = scene("square-twist", 100.0);
+    check("square-twist-100", &from(-60.0, 60.0).draw(&twist).unwrap());
+    check("square-twist-100-below", &from(-60.0, -60.0).draw(&twist).unwrap());
+}
+
+#[test]
+fn maps() {
+    let (pattern, model, state) = folded("hypar", 80.0);
+    for (quantity, colours, name) in [
+        (Quantity::Strain, ColourMap::Viridis, "strain"),
+        (Quantity::FaceStrain, ColourMap::Hue, "face-strain"),
+        (Quantity::AngleError, ColourMap::Cividis, "angle-error"),
+        (Quantity::EnergyDensity, ColourMap::Inferno, "energy"),
+    ] {
+        let map = Map::new(quantity, &model, &state, colours, None);
+        let scene = Scene::new(&pattern, &model, &state.positions).with_map(map);
+        check(&format!("hypar-80-{name}"), &small().draw(&scene).unwrap());
+    }
+}
+
+#[test]
+fn styles() {
+    let miura = scene("miura", 60.0);
+    let perspective = Camera { projection: Projection::Perspective(50.0), roll: 10.0, ..Camera::isometric() };
+    let themes = Theme::NAMES.map(|name| {
+        let theme = Theme::named(name).unwrap();
+        Picture {
+            theme,
+            camera: perspective,
+            edges: LineSet::ALL,
+            caption: name.into(),
+            width: 140,
+            height: 120,
+            ..small()
+        }
+    });
+    let images: Vec<Image> = themes.iter().map(|picture| picture.draw(&miura).unwrap()).collect();
+    check("themes", &contact_sheet(&images, 2, None).unwrap());
+    let transparent = Theme { background: None, ..Theme::paper() };
+    check("transparent", &Picture { theme: transparent, ..small() }.draw(&miura).unwrap());
+}
+
+#[test]
+fn patterns() {
+    let pattern = Scene::of_pattern(&catalog::generate("crane", &[]).unwrap()).unwrap();
+    check("pattern", &Picture { height: 200, ..small() }.for_pattern().draw(&pattern).unwrap());
+    let mono = Picture { theme: Theme::mono(), height: 200, ..small() };
+    check("pattern-mono", &mono.for_pattern().draw(&pattern).unwrap());
+}
+
+#[test]
+fn a_wrong_picture_fails() {
+    let scene = scene("miura", 60.0);
+    let picture = small();
+    let right = picture.draw(&scene).unwrap();
+    assert!(compare(&right, &right).0.within(&support::Difference { mean: 0.0, block: 0.0 }));
+    let mut missing = scene.clone();
+    let line = missing.lines.iter().position(|line| line.kind == LineKind::Mountain).unwrap();
+    missing.lines.remove(line);
+    let mut turned = scene.clone();
+    turned.triangles[0].swap(0, 1);
+    let mut dented = scene.clone();
+    dented.positions[8][2] += 0.03;
+    let darker = Picture { theme: Theme { shading: 1.1, ..Theme::paper() }, ..picture.clone() };
+    for (what, wrong) in [
+        ("a line is missing", picture.draw(&missing)),
+        ("a triangle shows its back", picture.draw(&turned)),
+        ("a node is dented", picture.draw(&dented)),
+        ("shades are deeper", darker.draw(&scene)),
+    ] {
+        let difference = compare(&wrong.unwrap(), &right).0;
+        assert!(!difference.within(&TOLERANCE), "{what}, and it is not seen: {difference:?}");
+    }
+}
+
+#[test]
+fn a_camera_that_moves_by_a_thousandth_of_a_degree_passes() {
+    let scene = scene("miura", 60.0);
+    let [one, two] = [-60.0, -60.001].map(|azimuth| from(azimuth, 35.0).draw(&scene).unwrap());
+    assert!(compare(&one, &two).0.within(&TOLERANCE));
+}

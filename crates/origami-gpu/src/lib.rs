@@ -13,6 +13,8 @@ mod layout;
 mod paper;
 mod pipeline;
 mod relax;
+#[cfg(feature = "render")]
+pub mod render;
 mod run;
 mod scene;
 #[cfg(test)]
@@ -27,4 +29,4 @@ pub use device::Gpu;
 pub use engine::{Dispatch, WORKGROUP_NODES};
 pub use error::GpuError;
 pub use paper::PaperDynamics;
-pub use solver::OnGpu;
+pub use solver::{OnGpu, OnModel};

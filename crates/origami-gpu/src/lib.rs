@@ -17,6 +17,8 @@ mod paper;
 mod pipeline;
 mod plan;
 mod relax;
+#[cfg(feature = "render")]
+pub mod render;
 mod run;
 mod scene;
 #[cfg(test)]
@@ -32,5 +34,5 @@ pub use device::Gpu;
 pub use engine::{Dispatch, WORKGROUP_NODES};
 pub use error::GpuError;
 pub use paper::PaperDynamics;
-pub use solver::OnGpu;
+pub use solver::{OnGpu, OnModel};
 pub use traffic::{BufferSize, PassTraffic, Traffic};

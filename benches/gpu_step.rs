@@ -98,7 +98,7 @@ fn ways(nodes: usize) -> Vec<(&'static str, Dispatch)> {
 /// From which size on one workgroup loses to passes over all elements: where `WORKGROUP_NODES` comes from.
 fn crossover(c: &mut Criterion) {
     let Some(place) = Place::open() else { return };
-    for panels in [2, 4, 6, 9, 13, 19, 31] {
+    for panels in [2, 4, 6, 7, 8, 9, 10, 13, 19, 31] {
         let model = sheet(panels, &Material::default());
         let (nodes, start) = (model.node_count(), on_the_way(&model));
         let mut group = place.group(c, "crossover");

@@ -24,7 +24,11 @@ pub enum Dispatch {
 }
 
 /// Nodes up to which [`Dispatch::Auto`] gives a workgroup the whole sheet.
-pub const WORKGROUP_NODES: usize = 200;
+///
+/// Measured on a software adapter only (llvmpipe, LLVM 15, two cores, over which it spreads passes but not one workgroup):
+/// one workgroup wins at 49 nodes and loses at 64, in both solvers (`cargo bench --features gpu --bench gpu_step --
+/// crossover`). Hardware may differ either way.
+pub const WORKGROUP_NODES: usize = 50;
 
 /// Loop iterations that one dispatch may take: software adapters end every loop at 65 535, silently.
 const MOST_ITERATIONS: usize = 50_000;

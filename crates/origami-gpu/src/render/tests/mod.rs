@@ -4,6 +4,7 @@ mod agreement;
 mod limits;
 mod sessions;
 mod shaders;
+mod speed;
 
 use std::fs::{self, File};
 use std::path::PathBuf;

@@ -36,7 +36,7 @@ const REEXPORTS: [(&str, &str); 10] = [
 ];
 
 /// Text that no line of code in a folder may hold, and why.
-const NOT_IN: [(&str, &str, &str); 8] = [
+const NOT_IN: [(&str, &str, &str); 11] = [
     (CORE, "wgpu", "the core knows no GPU"),
     (CORE, "clap", "the core knows no command line"),
     (CORE, "indicatif", "the core knows no terminal"),
@@ -44,6 +44,9 @@ const NOT_IN: [(&str, &str, &str); 8] = [
     ("crates/origami-core/src/solve", "HashMap", "the order of a hash map is not the same in every run"),
     ("crates/origami-core/src/forces", "acos(", "its slope is infinite at 0 and pi, and rounding makes it NaN"),
     ("crates/origami-core/src/forces", "asin(", "its slope is infinite at -1 and 1"),
+    ("crates/origami-picture/src", "wgpu", "pictures need no GPU"),
+    ("crates/origami-picture/src", "clap", "pictures know no command line"),
+    ("crates/origami-picture/src", "HashMap", "the order of a hash map is not the same in every run"),
     ("crates/origami-core/src/mesh/sides.rs", "DVec3", "topology knows no positions"),
 ];
 

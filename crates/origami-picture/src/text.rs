@@ -1,4 +1,4 @@
-//! Words and numbers in pictures, in DejaVu Sans (its licence is that of Bitstream Vera: free to embed).
+//! Words and numbers in pictures, in `DejaVu` Sans (its licence is that of Bitstream Vera: free to embed).
 
 use std::sync::OnceLock;
 

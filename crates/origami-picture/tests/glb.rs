@@ -11,11 +11,11 @@ struct Folded {
 }
 
 fn folded(frames: u32) -> Folded {
-    let pattern = catalog::generate("miura", &[]).unwrap();
-    let model = Model::new(&pattern, &Material::default()).unwrap();
-    let path = fold_path(&model, &Relax::default(), &frame_percents(60.0, frames), &mut |_, _| {}).unwrap();
+    let pattern = catalog::generate("miura", &[]).expect("a pattern");
+    let model = Model::new(&pattern, &Material::default()).expect("a model");
+    let path = fold_path(&model, &Relax::default(), &frame_percents(60.0, frames), &mut |_, _| {}).expect("states");
     let states = path.iter().map(|f| f.state.positions.iter().map(|p| p.to_array().map(|x| x as f32)).collect());
-    let last = &path.last().unwrap().state;
+    let last = &path.last().expect("the first").state;
     let map = Map::new(Quantity::Strain, &model, last, ColourMap::Viridis, None);
     Folded { scene: Scene::new(&pattern, &model, &last.positions).with_map(map), states: states.collect() }
 }
@@ -24,9 +24,9 @@ fn folded(frames: u32) -> Folded {
 fn shown(primitive: &gltf::Primitive<'_>, blob: &[u8], weights: &[f32]) -> Vec<[f32; 3]> {
     let data = |_: gltf::Buffer<'_>| Some(blob);
     let reader = primitive.reader(data);
-    let mut places: Vec<[f32; 3]> = reader.read_positions().unwrap().collect();
+    let mut places: Vec<[f32; 3]> = reader.read_positions().expect("positions").collect();
     for ((moved, ..), weight) in reader.read_morph_targets().zip(weights) {
-        for (place, by) in places.iter_mut().zip(moved.unwrap()) {
+        for (place, by) in places.iter_mut().zip(moved.expect("moved positions")) {
             (0..3).for_each(|axis| place[axis] += weight * by[axis]);
         }
     }

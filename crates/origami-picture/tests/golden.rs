@@ -11,9 +11,9 @@ use origami_picture::{
 use support::{TOLERANCE, check, compare};
 
 fn folded(name: &str, percent: f64) -> (CreasePattern, Model, State) {
-    let pattern = catalog::generate(name, &[]).unwrap();
-    let model = Model::new(&pattern, &Material::default()).unwrap();
-    let state = Relax::default().fold_from_rest(&model, percent).unwrap().state;
+    let pattern = catalog::generate(name, &[]).expect("a pattern");
+    let model = Model::new(&pattern, &Material::default()).expect("a model");
+    let state = Relax::default().fold_from_rest(&model, percent).expect("a state").state;
     (pattern, model, state)
 }
 

@@ -5,17 +5,19 @@
 //! taco and tortilla conditions of J. Justin, 1994, as E. Demaine and J. O'Rourke, Geometric Folding Algorithms, 2007,
 //! chapter 12, name them). What they leave open the positions decide.
 
+mod circles;
 mod conditions;
 mod order;
 mod overlap;
 mod pairs;
+mod spread;
 
 use origami_core::Model;
 use origami_core::glam::DVec3;
 
 use order::Order;
 pub use pairs::NEAR;
-use pairs::{Contact, PARALLEL, Pairs};
+use pairs::Pairs;
 
 /// How a triangle is moved in depth, and nowhere else, so that it is seen to lie where it belongs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -50,125 +52,22 @@ pub fn stack(model: &Model, positions: &[DVec3]) -> Stack {
     let mut order = Order::new(&pairs);
     conditions::add(model, positions, &pairs, &mut order);
     order.decide();
-    let circling = circling(&pairs, &order);
-    let heights = spread(&pairs, &order, &circling, &welds(model, &pairs));
+    let circling = circles::circling(&pairs, &order);
+    let heights = spread::spread(&pairs, &order, &circling, &spread::welds(model, &pairs));
     let layer = |(t, heights): (usize, [f64; 3])| Layer {
         up: pairs.up[t].to_array().map(|x| x as f32),
         heights: heights.map(|h| h as f32),
     };
-    Stack { layers: heights.into_iter().enumerate().map(layer).collect(), circles: circles(&pairs, &order, &circling) }
-}
-
-/// Pairs that lie upon each other in a circle, the lower one first; but none of a stack in which paper has gone through
-/// paper, where pairs contradict what depth shows.
-fn circles(pairs: &Pairs, order: &Order, circling: &[bool]) -> Vec<[u32; 2]> {
-    let in_circle = |pair: &usize| pairs.triangles[*pair].iter().all(|t| circling[*t as usize]);
-    let stack = |pair: usize| pairs.stacks[pairs.triangles[pair][0] as usize];
-    let mut tangled = vec![false; pairs.stacks.len()];
-    for pair in (0..pairs.triangles.len()).filter(in_circle) {
-        tangled[stack(pair)] |= !pairs.agrees(pair, order.above(pair));
+    Stack {
+        layers: heights.into_iter().enumerate().map(layer).collect(),
+        circles: circles::circles(&pairs, &order, &circling),
     }
-    let upwards = |pair: usize| {
-        let [i, j] = pairs.triangles[pair];
-        if order.above(pair) { [i, j] } else { [j, i] }
-    };
-    (0..pairs.triangles.len()).filter(in_circle).filter(|pair| !tangled[stack(*pair)]).map(upwards).collect()
-}
-
-/// Heights of all triangles' corners with which each pair is a [`LAYER`] apart wherever they overlap.
-///
-/// One number a triangle would not do: the pleats of a twist lie upon each other in a circle, like the flaps of a box. So
-/// triangles may tilt, and are pushed apart contact by contact until all have room. Where stiff triangles cannot go around
-/// a circle, at least all above it and below it come to lie where they belong.
-fn spread(pairs: &Pairs, order: &Order, circling: &[bool], welds: &[[(usize, usize); 2]]) -> Vec<[f64; 3]> {
-    const SWEEPS: usize = 300;
-    const WELD: f64 = 0.1;
-    let mut heights = vec![[0.0; 3]; pairs.normals.len()];
-    for sweep in 0..2 * SWEEPS {
-        let mut worst = 0.0_f64;
-        for (pair, contacts) in pairs.contacts.iter().enumerate() {
-            let [i, j] = pairs.triangles[pair].map(|t| t as usize);
-            if sweep >= SWEEPS && circling[i] && circling[j] {
-                continue;
-            }
-            let sign = if order.above(pair) { 1.0 } else { -1.0 };
-            for Contact { weights: [first, second], height } in contacts {
-                let at = |t: usize, weights: &[f64; 3]| (0..3).map(|k| weights[k] * heights[t][k]).sum::<f64>();
-                let lacking = LAYER - sign * (height + at(j, second) - at(i, first));
-                if lacking <= 0.0 {
-                    continue;
-                }
-                worst = worst.max(lacking);
-                let squares: f64 = first.iter().chain(second).map(|w| w * w).sum();
-                for k in 0..3 {
-                    heights[i][k] -= sign * lacking / squares * first[k];
-                    heights[j][k] += sign * lacking / squares * second[k];
-                }
-            }
-        }
-        if worst < 0.1 * LAYER {
-            break;
-        }
-        for [(i, a), (j, b)] in welds.iter().filter(|[one, two]| !circling[one.0] && !circling[two.0]) {
-            let apart = heights[*j][*b] - heights[*i][*a];
-            heights[*i][*a] += WELD * apart;
-            heights[*j][*b] -= WELD * apart;
-        }
-    }
-    heights
-}
-
-/// Corners (triangle, and which of its three) that move together: those at a side over which the sheet goes on flat.
-fn welds(model: &Model, pairs: &Pairs) -> Vec<[(usize, usize); 2]> {
-    let mut welds = Vec::new();
-    for side in &model.mesh.sides {
-        let [Some(one), Some(two)] = side.triangles.map(|t| t.map(|t| t.index())) else { continue };
-        let together = pairs.up[one] != DVec3::ZERO && pairs.up[one] == pairs.up[two];
-        if !together || pairs.normals[one].dot(pairs.normals[two]) < PARALLEL {
-            continue;
-        }
-        for node in side.nodes {
-            let [a, b] = [one, two].map(|t| model.mesh.triangles[t].iter().position(|n| *n == node));
-            if let (Some(a), Some(b)) = (a, b) {
-                welds.push([(one, a), (two, b)]);
-            }
-        }
-    }
-    welds
-}
-
-/// Triangles that are left when those are taken away, again and again, under which or over which nothing lies: those that
-/// lie upon each other in a circle, and what lies between two such circles.
-fn circling(pairs: &Pairs, order: &Order) -> Vec<bool> {
-    let mut left = vec![true; pairs.normals.len()];
-    for up in [true, false] {
-        let is_over = |pair: usize, t: u32| (pairs.triangles[pair][1] == t) == (order.above(pair) == up);
-        let mut under: Vec<usize> = (0..left.len())
-            .map(|t| {
-                pairs.of(t).iter().filter(|(o, pair)| left[*o as usize] && is_over(*pair as usize, t as u32)).count()
-            })
-            .collect();
-        let mut free: Vec<usize> = (0..left.len()).filter(|t| left[*t] && under[*t] == 0).collect();
-        while let Some(t) = free.pop() {
-            left[t] = false;
-            for (other, pair) in pairs.of(t) {
-                let o = *other as usize;
-                if left[o] && is_over(*pair as usize, *other) {
-                    under[o] -= 1;
-                    if under[o] == 0 {
-                        free.push(o);
-                    }
-                }
-            }
-        }
-    }
-    left
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use origami_core::generate::{BirdBase, SingleCrease};
+    use origami_core::generate::{BirdBase, SingleCrease, SquareTwist};
     use origami_core::{CreasePattern, Material, Relax};
 
     fn folded(pattern: &CreasePattern, percent: f64) -> (Model, Vec<DVec3>) {
@@ -205,5 +104,46 @@ mod tests {
             let step = height(layers[two.index()], front) - height(layers[one.index()], front);
             assert!(step * angle.signum() > 0.8 * LAYER, "{angle}: {step}");
         }
+    }
+
+    /// Every triangle of the bird base is a layer away from all it lies upon, and what both folds of a crease say holds.
+    #[test]
+    fn layers_of_a_flat_base_are_all_apart() {
+        let pattern = BirdBase::default().pattern().unwrap();
+        let (model, positions) = folded(&pattern, 100.0);
+        let pairs = Pairs::find(&model, &positions).unwrap();
+        let stack = stack(&model, &positions);
+        assert!(pairs.triangles.len() > 20 && stack.circles.is_empty());
+        for (pair, contacts) in pairs.contacts.iter().enumerate() {
+            let gap = |contact: &pairs::Contact| {
+                let at = |k: usize| {
+                    let heights = stack.layers[pairs.triangles[pair][k] as usize].heights;
+                    (0..3).map(|c| contact.weights[k][c] * f64::from(heights[c])).sum::<f64>()
+                };
+                contact.height + at(1) - at(0)
+            };
+            let gaps: Vec<f64> = contacts.iter().map(gap).collect();
+            let apart = |sign: f64| gaps.iter().all(|gap| sign * gap > 0.8 * LAYER);
+            assert!(apart(1.0) || apart(-1.0), "{:?}: {gaps:?}", pairs.triangles[pair]);
+        }
+    }
+
+    /// The four pleats of a square twist hold each other down like the flaps of a box.
+    #[test]
+    fn a_twist_lies_in_a_circle() {
+        let pattern = SquareTwist::default().pattern().unwrap();
+        let (model, positions) = folded(&pattern, 100.0);
+        let circles = stack(&model, &positions).circles;
+        let mut under: Vec<u32> = vec![circles[0][0]];
+        // Going up from layer to layer one never comes to an end.
+        for _ in 0..50 {
+            let last = under[under.len() - 1];
+            let next = circles.iter().find(|[low, high]| *low == last && !under.ends_with(&[*high]));
+            match next {
+                Some([_, high]) => under.push(*high),
+                None => break,
+            }
+        }
+        assert!(under.len() == 51, "{under:?}");
     }
 }

@@ -117,7 +117,7 @@ pub(super) fn strokes(
     for kind in ORDER {
         let style = style(picture, scene, kind);
         let half = 0.5 * f64::from(style.width * scale);
-        if !picture.edges.has(kind) || !(half > 0.0 && half < 1e4) {
+        if !(picture.edges.has(kind) && half > 0.0 && half < 1e4) {
             continue;
         }
         for line in scene.lines.iter().filter(|line| line.kind == kind) {

@@ -1,5 +1,7 @@
 //! Pictures kept in the repository to compare with.
 
+#![expect(clippy::unwrap_used, reason = "a test that meets an error fails")]
+
 use std::fs::{self, File};
 use std::path::PathBuf;
 

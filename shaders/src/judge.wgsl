@@ -1,7 +1,10 @@
 // When to stop, per instance: were the energy a parabola along the window's move, its minimum would lie |F.dx| / |dx.dF|
 // moves further on. One workgroup an instance.
 
-fn estimate(found: vec4<f32>) -> f32 {
+// A move by less than this share of the tolerance, which the forces do not feel in f32, is rest.
+const STILL: f32 = 1e-3;
+
+fn estimate(found: vec4<f32>, tolerance: f32) -> f32 {
     let largest = sqrt(found.x);
     let least = found.y;
     if (largest == 0.0) {
@@ -9,7 +12,7 @@ fn estimate(found: vec4<f32>) -> f32 {
     }
     // No change of force along a move: nothing tells how far the minimum is.
     if (found.w == 0.0) {
-        return 1e30;
+        return select(1e30, max(largest, least), largest < STILL * tolerance);
     }
     return max(max(largest, largest * abs(found.z / found.w)), least);
 }
@@ -18,7 +21,7 @@ fn judge_window(instance: u32, found: vec4<f32>) {
     let tick = control[instance].tick;
     if (window_ends(instance)) {
         if (tick > 0u) {
-            let distance = estimate(found);
+            let distance = estimate(found, control[instance].tolerance);
             control[instance].distance = distance;
             let share = distance / control[instance].tolerance;
             if (share < SMALL_SHARE) {

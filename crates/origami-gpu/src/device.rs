@@ -127,7 +127,7 @@ impl Gpu {
     /// Runs `f` and returns what it came to, unless wgpu refused anything in it. Only calls on this thread count.
     ///
     /// # Errors
-    /// The gravest of what was refused; [`GpuError::Lost`] and whatever else [`Gpu::check`] knows of.
+    /// [`GpuError::Lost`] first of all, else the gravest of what was refused, else what [`Gpu::check`] knows of.
     pub(crate) fn scoped<T>(&self, f: impl FnOnce() -> T) -> Result<T, GpuError> {
         let device = self.device();
         let internal = device.push_error_scope(wgpu::ErrorFilter::Internal);
@@ -136,9 +136,11 @@ impl Gpu {
         let done = f();
         // Innermost first. Buffers that did not fit are refused later as invalid: their cause is what counts.
         let caught = [memory, validation, internal].map(|scope| pollster::block_on(scope.pop()));
-        match caught.into_iter().flatten().next() {
-            Some(error) => Err(error.into()),
-            None => self.check().map(|()| done),
+        let Some(error) = caught.into_iter().flatten().next() else { return self.check().map(|()| done) };
+        // On a lost device whatever follows is invalid too; that it is lost shows when what it was at has ended.
+        match self.wait() {
+            Err(lost @ GpuError::Lost(_)) => Err(lost),
+            _ => Err(error.into()),
         }
     }
 

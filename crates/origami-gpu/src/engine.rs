@@ -2,16 +2,13 @@
 
 use origami_core::Model;
 use origami_core::model::Material;
-use origami_core::solve::{dynamics, fire, settle};
 
 use crate::device::Gpu;
 use crate::error::GpuError;
-use crate::kernels::{
-    Binding, decide, edges, faces, judge, keep, loose_beams, moves, nodes, renew, row_sums, settle as settle_kernel,
-    stiffest, survey, weigh, workgroup_dynamics, workgroup_relax,
-};
+use crate::kernels::{Binding, Kernel, faces, workgroup_dynamics, workgroup_relax};
 use crate::layout::{Before, Control, CreaseState, Node};
 use crate::pipeline::{Buffers, Pass};
+use crate::plan::{Plan, TICK};
 use crate::scene::Scene;
 use crate::variant::{Motion, Variant};
 
@@ -32,9 +29,6 @@ pub const WORKGROUP_NODES: usize = 200;
 /// Loop iterations that one dispatch may take: software adapters end every loop at 65 535, silently.
 const MOST_ITERATIONS: usize = 50_000;
 
-/// Evaluations between two looks of the stopping rule: its shortest window.
-const TICK: u64 = settle::SHORTEST;
-
 /// A scene's buffers and passes, for up to so many instances.
 #[derive(Debug)]
 pub(crate) struct Engine {
@@ -42,7 +36,8 @@ pub(crate) struct Engine {
     pub(crate) variant: Variant,
     pub(crate) buffers: Buffers,
     pub(crate) instances: usize,
-    safe: bool,
+    /// Steps between two runs of `row_sums`.
+    renewal: u64,
     forces: Vec<Pass>,
     damped_forces: Vec<Pass>,
     settling: Vec<Pass>,
@@ -81,6 +76,29 @@ impl Engine {
         })?
     }
 
+    /// The buffers of one sheet, without any pass.
+    #[cfg(test)]
+    pub(crate) fn bare(gpu: &Gpu, models: &[&Model], motion: Motion) -> Result<Self, GpuError> {
+        let scene = Scene::new(models);
+        let variant = Variant::new(&scene, motion, uniform(models));
+        let buffers = gpu.scoped(|| buffers(gpu, &scene, &variant, 1))??;
+        let none = Vec::new;
+        Ok(Self {
+            gpu: gpu.clone(),
+            renewal: TICK,
+            forces: none(),
+            damped_forces: none(),
+            settling: none(),
+            row_sums: none(),
+            motion: none(),
+            keeping: none(),
+            workgroup: None,
+            variant,
+            buffers,
+            instances: 1,
+        })
+    }
+
     fn with_buffers(
         gpu: &Gpu,
         variant: Variant,
@@ -90,38 +108,27 @@ impl Engine {
         safe: bool,
     ) -> Self {
         let pass = |kernel, variant: &Variant, ticks| Pass::new(gpu, kernel, variant, ticks, &buffers);
+        let plan = Plan::new(&variant, safe);
+        let passes = |kernels: &[&'static Kernel]| kernels.iter().map(|k| pass(k, &variant, false)).collect();
         let undamped = variant.undamped();
+        let forces = plan.forces.iter().map(|k| pass(k, &undamped, false)).collect();
         let dynamics = !variant.relaxing();
-        let forces_of = |variant: &Variant, ticks| {
-            let mut passes = vec![pass(&faces::KERNEL, variant, ticks)];
-            if variant.loose_beams > 0 {
-                passes.push(pass(&loose_beams::KERNEL, variant, false));
-            }
-            passes
-        };
-        let mut forces = vec![pass(&edges::KERNEL, &variant, false)];
-        forces.extend(forces_of(&undamped, false));
+        // A workgroup that takes many steps does without the passes of single steps.
         let wide = workgroup.is_none();
-        let damped_forces = if dynamics && wide { forces_of(&variant, true) } else { Vec::new() };
-        let settling = vec![pass(&settle_kernel::KERNEL, &variant, false), pass(&judge::KERNEL, &variant, false)];
-        let row_sums = match (dynamics, safe) {
-            (true, true) => [&row_sums::KERNEL, &stiffest::KERNEL, &renew::KERNEL].as_slice(),
-            (false, _) if wide => &[&row_sums::KERNEL],
-            _ => &[],
+        let damped_forces = match dynamics && wide {
+            // The faces keep the time.
+            true => plan.forces[1..].iter().map(|k| pass(k, &variant, k.name == faces::KERNEL.name)).collect(),
+            false => Vec::new(),
         };
-        let motion = match (dynamics, wide) {
-            (_, false) => [].as_slice(),
-            (true, _) => &[&nodes::KERNEL],
-            (false, _) => &[&weigh::KERNEL, &decide::KERNEL, &moves::KERNEL],
-        };
-        let row_sums = row_sums.iter().map(|k| pass(k, &variant, false)).collect();
-        let motion = motion.iter().map(|k| pass(k, &variant, false)).collect();
-        let keeping = vec![pass(&survey::KERNEL, &variant, false), pass(&keep::KERNEL, &variant, false)];
+        let settling = passes(plan.settling);
+        let row_sums = if dynamics || wide { passes(plan.row_sums) } else { Vec::new() };
+        let motion = if wide { passes(plan.motion) } else { Vec::new() };
+        let keeping = passes(plan.keeping);
         let kernel = if dynamics { &workgroup_dynamics::KERNEL } else { &workgroup_relax::KERNEL };
         let workgroup = workgroup.map(|variant| pass(kernel, variant, false));
         Self {
             gpu: gpu.clone(),
-            safe,
+            renewal: plan.renewal,
             forces,
             damped_forces,
             settling,
@@ -135,16 +142,12 @@ impl Engine {
         }
     }
 
-    /// How many steps one recording has to be a multiple of, but for the last.
-    pub(crate) fn grain(&self) -> u64 {
-        TICK
-    }
-
-    /// Records the steps `from..to`, counted since the start; `from` is a multiple of [`Engine::grain`].
+    /// Records the steps `from..to`, counted since the start; `from` is a multiple of [`TICK`].
     pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, instances: u32, from: u64, to: u64) {
         let mut record = |passes: &[Pass]| passes.iter().for_each(|p| p.record(pass, instances));
         let dynamics = !self.variant.relaxing();
-        let renews = |step: u64| dynamics && self.safe && step > 0 && step.is_multiple_of(dynamics::RENEWAL);
+        // Dynamics begins with a time step, a relaxation without masses.
+        let renews = |step: u64| step.is_multiple_of(self.renewal) && (step > 0 || !dynamics);
         if let Some(workgroup) = &self.workgroup {
             for step in (from..to).step_by(TICK as usize) {
                 record(&self.forces);
@@ -168,7 +171,7 @@ impl Engine {
                 if looks {
                     record(&self.settling);
                 }
-                if renews(step) || !dynamics && step.is_multiple_of(fire::RENEWAL) {
+                if renews(step) {
                     record(&self.row_sums);
                 }
                 record(&self.damped_forces);
@@ -204,10 +207,12 @@ fn workgroup_variant(scene: &Scene, variant: &Variant, purpose: Purpose) -> Opti
     let most = scene.nodes.max(scene.hinges.len()).max(scene.faces.len());
     #[expect(clippy::cast_possible_truncation, reason = "at most 256")]
     let workgroup = most.next_power_of_two().clamp(32, 256) as u32;
-    let steps = (MOST_ITERATIONS / iterations(scene, workgroup as usize)).min(TICK as usize);
-    #[expect(clippy::cast_possible_truncation, reason = "at most the ticks of a window")]
+    let most = (MOST_ITERATIONS / iterations(scene, workgroup as usize)) as u64;
+    // Whole dispatches make a tick: the stopping rule and the safe step are due at its end.
+    let steps = (1..=TICK.min(most)).rev().find(|steps| TICK.is_multiple_of(*steps))?;
+    #[expect(clippy::cast_possible_truncation, reason = "at most a tick")]
     let steps = steps as u32;
-    (steps > 0).then(|| Variant { workgroup, steps, ..variant.clone() })
+    Some(Variant { workgroup, steps, ..variant.clone() })
 }
 
 /// Loop iterations of one invocation in one step, at most: every loop of the kernel counted as written.
@@ -300,4 +305,96 @@ pub(crate) fn most_instances(gpu: &Gpu, models: &[&Model], motion: Motion) -> us
     let fits = sizes(&scene, &variant).into_iter().filter(|(_, each, _)| *each > 0);
     let most = fits.map(|(_, each, once)| allowed.saturating_sub(once) / each).min().unwrap_or(1);
     usize::try_from(most.clamp(1, 65_535)).unwrap_or(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use origami_core::Material;
+    use origami_core::generate::Miura;
+
+    use super::*;
+    use crate::paper::testing::miura;
+    use crate::testing::bench::EULER;
+    use crate::testing::{gpu, sheets};
+
+    const BY_WORKGROUP: Purpose = Purpose { motion: EULER, safe: true, dispatch: Dispatch::Workgroup };
+
+    fn scene_and_variant(model: &Model) -> (Scene, Variant) {
+        let scene = Scene::new(&[model]);
+        let variant = Variant::new(&scene, EULER, Some(model.material));
+        (scene, variant)
+    }
+
+    #[test]
+    fn loops_in_a_workgroup_stay_below_the_cap_and_make_whole_ticks() {
+        let (mut scene, variant) = scene_and_variant(&miura());
+        let mut steps = Vec::new();
+        for faces in [1, 100, 10_000, 40_000, 100_000, 400_000, 4_000_000] {
+            scene.faces.resize(faces, scene.faces[0]);
+            let Some(built) = workgroup_variant(&scene, &variant, BY_WORKGROUP) else {
+                assert!(iterations(&scene, 256) > MOST_ITERATIONS, "{faces} faces: one step would fit");
+                continue;
+            };
+            let made = built.steps as usize * iterations(&scene, built.workgroup as usize);
+            assert!(made <= MOST_ITERATIONS, "{faces} faces: {made} iterations");
+            assert!(TICK.is_multiple_of(u64::from(built.steps)), "{faces} faces: {} steps", built.steps);
+            steps.push(built.steps);
+        }
+        assert_eq!((steps.first(), steps.is_sorted_by(|a, b| a >= b)), (Some(&20), true), "{steps:?}");
+        assert!(steps.iter().any(|s| (1..20).contains(s)), "some are between: {steps:?}");
+        assert!(steps.len() < 7, "too many faces even for one step");
+    }
+
+    #[test]
+    fn a_workgroup_takes_a_sheet_where_its_buffers_suffice_and_it_is_small() {
+        let is_taken = |model: &Model, dispatch| {
+            let (scene, variant) = scene_and_variant(model);
+            is_by_workgroup(&scene, &variant, Purpose { dispatch, ..BY_WORKGROUP })
+        };
+        let small = miura();
+        assert!(is_taken(&small, Dispatch::Auto) && is_taken(&small, Dispatch::Workgroup));
+        assert!(!is_taken(&small, Dispatch::Passes));
+        assert!(!is_taken(&sheets::loose_beams(), Dispatch::Workgroup), "it would need a ninth buffer");
+        let large = Miura { columns: 20, rows: 20, ..Miura::default() }.pattern().expect("a pattern");
+        let large = Model::new(&large, &Material::default()).expect("a model");
+        assert!(large.node_count() > WORKGROUP_NODES);
+        assert!(!is_taken(&large, Dispatch::Auto) && is_taken(&large, Dispatch::Workgroup));
+    }
+
+    #[test]
+    fn more_elements_than_a_dispatch_counts_are_refused() {
+        let (_, mut variant) = scene_and_variant(&miura());
+        variant.faces = 65_535 * variant.workgroup as usize;
+        assert_eq!(check_counts(&variant), Ok(()));
+        variant.faces += 1;
+        let count = variant.faces as u64;
+        assert_eq!(check_counts(&variant), Err(GpuError::TooManyElements { count, allowed: count - 1 }));
+    }
+
+    #[test]
+    fn buffers_that_the_adapter_does_not_allow_are_refused() {
+        let Some(gpu) = gpu() else { return };
+        let model = miura();
+        let (mut scene, variant) = scene_and_variant(&model);
+        let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
+        // As if it had so many nodes: only what is allowed is ever made.
+        scene.nodes = usize::try_from(allowed).expect("64 bits") / size_of::<Node>() + 1;
+        let refused = buffers(&gpu, &scene, &variant, 1).expect_err("too large");
+        let needed = (scene.nodes * size_of::<Node>()) as u64;
+        assert_eq!(refused, GpuError::TooLarge { what: "the nodes", needed, allowed });
+    }
+
+    #[test]
+    fn as_many_instances_as_fit_and_no_more() {
+        let Some(gpu) = gpu() else { return };
+        let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
+        for model in [miura(), sheets::loose_beams()] {
+            let most = most_instances(&gpu, &[&model], EULER) as u64;
+            let (scene, variant) = scene_and_variant(&model);
+            let largest = |count: u64| sizes(&scene, &variant).iter().map(|s| s.1 * count + s.2).max();
+            assert!(largest(most) <= Some(allowed));
+            assert!(most == 65_535 || largest(most + 1) > Some(allowed));
+            assert!(most >= 1);
+        }
+    }
 }

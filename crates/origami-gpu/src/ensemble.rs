@@ -16,10 +16,23 @@ pub(crate) fn fold_all<S: Method>(
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) + Sync),
 ) -> Vec<Result<Folded, Failed>> {
+    let most = |models: &[&Model]| most_instances(gpu, models, purpose.motion);
+    in_runs(gpu, method, purpose, instances, observe, most)
+}
+
+/// The same with at most as many instances in one run as `most` says of their models.
+fn in_runs<S: Method>(
+    gpu: &Gpu,
+    method: &S,
+    purpose: Purpose,
+    instances: &[Instance<'_>],
+    observe: &(dyn Fn(usize, Progress) + Sync),
+    most: impl Fn(&[&Model]) -> usize,
+) -> Vec<Result<Folded, Failed>> {
     let mut results: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
     for group in groups(instances) {
         let models = different(group.iter().map(|i| instances[*i].model));
-        let most = most_instances(gpu, &models, purpose.motion);
+        let most = most(&models);
         let mut engine = Engine::new(gpu, &models, purpose, group.len().min(most));
         for part in group.chunks(most) {
             let own: Vec<Instance<'_>> = part.iter().map(|i| instances[*i].clone()).collect();
@@ -57,4 +70,103 @@ fn groups(instances: &[Instance<'_>]) -> Vec<Vec<usize>> {
         }
     }
     groups.into_iter().map(|(_, group)| group).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use origami_core::generate::BirdBase;
+    use origami_core::pattern::CreasePattern;
+    use origami_core::{Dynamics, Material, Relax, Solver, State};
+
+    use super::*;
+    use crate::engine::Dispatch;
+    use crate::testing::gpu;
+
+    fn bird() -> CreasePattern {
+        BirdBase::default().pattern().expect("a pattern")
+    }
+
+    fn instance(model: &Model, percent: f64) -> Instance<'_> {
+        Instance { model, start: State::perturbed(model, 1e-3, percent.to_bits()), percent }
+    }
+
+    fn states(results: Vec<Result<Folded, Failed>>) -> Vec<State> {
+        results.into_iter().map(|folded| folded.expect("it holds").state).collect()
+    }
+
+    /// With a limit so small that an engine has to run several times, the last time with fewer.
+    fn same_in_runs<S: Method + Clone>(gpu: &Gpu, method: &S, dispatch: Dispatch) {
+        let model = Model::new(&bird(), &Material::default()).expect("a model");
+        let instances: Vec<Instance<'_>> = (0..7).map(|i| instance(&model, 10.0 * f64::from(i))).collect();
+        let purpose = method.purpose(true, dispatch);
+        let told = std::sync::Mutex::new(vec![0; instances.len()]);
+        let in_runs_of = |most: usize| {
+            let told = |i: usize, _| told.lock().expect("no panic")[i] += 1;
+            states(in_runs(gpu, method, purpose, &instances, &told, |_| most))
+        };
+        let at_once = in_runs_of(100);
+        assert_eq!(in_runs_of(3), at_once);
+        assert_eq!(in_runs_of(1), at_once);
+        assert!(told.lock().expect("no panic").iter().all(|told| *told >= 3), "each is told of by its own place");
+        let one_by_one = gpu.with(method.clone()).dispatch(dispatch);
+        for (instance, state) in instances.iter().zip(&at_once) {
+            let folded = one_by_one.fold(&model, &instance.start, instance.percent, &mut |_| {}).expect("it holds");
+            assert_eq!(&folded.state, state, "{} %", instance.percent);
+        }
+        assert!(at_once.windows(2).all(|pair| pair[0] != pair[1]), "each has its own");
+    }
+
+    #[test]
+    fn many_runs_give_what_one_gives() {
+        let Some(gpu) = gpu() else { return };
+        for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
+            same_in_runs(&gpu, &Relax { steps: Some(120), ramp: Some(50), ..Relax::default() }, dispatch);
+            same_in_runs(&gpu, &Dynamics { steps: Some(120), ..Dynamics::default() }, dispatch);
+        }
+    }
+
+    #[test]
+    fn only_models_with_the_same_springs_share_a_scene() {
+        let plain = Material::default();
+        let material = [
+            plain,
+            Material { k_fold: 3.0, ..plain },
+            Material { k_fold: 0.0, ..plain },
+            Material { k_face: 0.0, ..plain },
+        ];
+        let mut models = Model::of_each(&bird(), &material).expect("models");
+        // The same sheet with springs of its own.
+        let inner = bird().edges.iter().position(|edge| edge.fold_angle.is_some()).expect("a crease");
+        let own = |change: &dyn Fn(&mut CreasePattern)| {
+            let mut pattern = bird();
+            change(&mut pattern);
+            Model::new(&pattern, &plain).expect("a model")
+        };
+        models.push(own(&|p| p.edges[inner].k_crease = Some(5.0)));
+        models.push(own(&|p| p.edges[inner].ea = Some(50.0)));
+        models.push(own(&|p| p.fixed.push(origami_core::ids::VertexId(0))));
+        models.push(own(&|_| {}));
+        let instances: Vec<Instance<'_>> = models.iter().map(|model| instance(model, 50.0)).collect();
+        assert_eq!(groups(&instances), [vec![0, 1, 7], vec![2], vec![3], vec![4], vec![5], vec![6]]);
+    }
+
+    #[test]
+    fn own_springs_are_shared_by_materials() {
+        let mut pattern = bird();
+        pattern.edges.iter_mut().step_by(2).for_each(|edge| edge.k_crease = Some(0.7));
+        pattern.edges.iter_mut().step_by(3).for_each(|edge| edge.ea = Some(20.0));
+        let plain = Material::default();
+        let materials = [plain, Material { k_fold: 2.0, k_facet: 1.0, ea: 40.0, ..plain }];
+        let models = Model::of_each(&pattern, &materials).expect("models");
+        let instances: Vec<Instance<'_>> = models.iter().map(|model| instance(model, 50.0)).collect();
+        assert_eq!(groups(&instances), [vec![0, 1]], "their own happen to be the first material's");
+        let Some(gpu) = gpu() else { return };
+        let method = Dynamics { steps: Some(60), ..Dynamics::default() };
+        let states = states(gpu.with(method.clone()).fold_all(&instances, &|_, _| {}));
+        for (instance, state) in instances.iter().zip(states) {
+            let cpu = method.fold(instance.model, &instance.start, instance.percent, &mut |_| {}).expect("it holds");
+            let far = crate::paper::testing::farthest(&cpu.state.positions, &state.positions);
+            assert!(far < 1e-6, "{far} radii apart");
+        }
+    }
 }

@@ -166,6 +166,96 @@ pub(crate) struct Before {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kernels::{Kernel, faces, loose_beams, row_sums, settle};
+    use crate::shader_checks::{Checked, checked, same_layout};
+    use crate::testing::variants;
+
+    fn shader(kernel: &Kernel) -> Checked {
+        let variant = variants::plain();
+        checked(kernel.name, &kernel.source(&variant))
+    }
+
+    #[test]
+    fn structs_lie_as_in_the_shaders() {
+        let faces = shader(&faces::KERNEL);
+        same_layout!(&faces, Node { high, fixed_in_place, low, mass, velocity, softness, force, unused });
+        same_layout!(&faces, CreaseState { angle, moment, start, goal });
+        same_layout!(&faces, Face { nodes, slots, sides, rest_high, rest_low });
+        same_layout!(
+            &faces,
+            Control {
+                stop,
+                step,
+                limit,
+                bad_node,
+                ramp_step,
+                ramp_length,
+                held,
+                tick,
+                window_end,
+                settled_windows,
+                stops_when_settled,
+                distance,
+                tolerance,
+                fire_step,
+                mixing,
+                downhill,
+                keep,
+                towards_force,
+                back,
+                time_step,
+                previous_step,
+                next_step,
+                damping_sum,
+                stiffest,
+                farthest,
+                fastest,
+                kept_step,
+                ea,
+                k_fold,
+                k_facet,
+                k_face,
+                zeta,
+            }
+        );
+        let hinges = shader(&row_sums::KERNEL);
+        same_layout!(&hinges, Hinge { apex_one, apex_two, end_one, end_two, length, kind });
+        let loose = shader(&loose_beams::KERNEL);
+        same_layout!(&loose, LooseBeam { nodes, slots, rest_high, rest_low, rigidity });
+        let windows = shader(&settle::KERNEL);
+        same_layout!(&windows, Before { high, unused, low, unused_too, force, unused_as_well });
+    }
+
+    /// Constants that both sides write out.
+    #[test]
+    fn constants_are_those_of_the_shaders() {
+        let texts: String = origami_shaders::ALL.iter().map(|(_, text)| *text).collect();
+        let constants = [
+            ("NONE: u32", format!("{NONE:#x}u")),
+            ("SETTLED: u32", format!("{SETTLED}u")),
+            ("ALONE: u32", format!("{ALONE:#x}u")),
+            ("RIGHT: u32", format!("{RIGHT:#x}u")),
+            ("CREASE: u32", format!("{CREASE:#x}u")),
+            ("FOLD: u32", format!("{FOLD}u")),
+            ("FACET: u32", format!("{FACET}u")),
+            ("QUANTUM: f32", format!("{QUANTUM}")),
+            ("PER_QUANTUM: f32", format!("{:?}", 1.0 / QUANTUM)),
+        ];
+        for (name, value) in constants {
+            let line = format!("const {name} = {value};");
+            assert!(texts.contains(&line), "{line}");
+        }
+        assert!(![FOLD, FACET].contains(&OWN), "the shaders take all other kinds for it");
+    }
+
+    #[test]
+    fn squares_of_rest_lengths_are_kept_far_beyond_single_precision() {
+        for length in [1e-6, 0.013, 1.0 / 3.0, 1.0, 1.999] {
+            let (high, low) = split_square(length);
+            let square = f64::from(high) * QUANTUM * QUANTUM + f64::from(low);
+            assert!((square - length * length).abs() < 2e-15, "{length}: {square}");
+        }
+    }
 
     #[test]
     fn positions_are_kept_far_beyond_single_precision() {

@@ -2,6 +2,8 @@
 #![forbid(unsafe_code)]
 
 mod adapter;
+#[cfg(test)]
+mod buffer_table;
 mod device;
 mod dynamics;
 mod engine;
@@ -10,8 +12,10 @@ mod error;
 mod inventory;
 mod kernels;
 mod layout;
+mod mapped;
 mod paper;
 mod pipeline;
+mod plan;
 mod relax;
 #[cfg(feature = "render")]
 pub mod render;
@@ -22,6 +26,7 @@ mod shader_checks;
 mod solver;
 #[cfg(test)]
 mod testing;
+mod traffic;
 mod variant;
 
 pub use adapter::{AUTO_NODES, AdapterChoice, AdapterKind, AdapterLimits, AdapterSummary, Lack, adapters};
@@ -30,3 +35,4 @@ pub use engine::{Dispatch, WORKGROUP_NODES};
 pub use error::GpuError;
 pub use paper::PaperDynamics;
 pub use solver::{OnGpu, OnModel};
+pub use traffic::{BufferSize, PassTraffic, Traffic};

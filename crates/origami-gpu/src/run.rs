@@ -1,7 +1,6 @@
 //! Runs an engine: writes where its instances begin, lets many steps go between two reads, and reads where they end.
 
 use std::collections::VecDeque;
-use std::sync::{Arc, OnceLock};
 
 use bytemuck::Pod;
 use glam::DVec3;
@@ -12,13 +11,11 @@ use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::kernels::Binding;
 use crate::layout::{Control, CreaseState, NONE, Node, single};
+use crate::mapped::Mapped;
+use crate::plan::batch;
 
 /// Submissions that are under way before the oldest is looked at: the queue never stands still.
 const AHEAD: usize = 2;
-/// Steps of one submission of a small scene, and of a large one.
-const BATCH: u64 = 100;
-const LARGE_BATCH: u64 = 20;
-const LARGE: usize = 100_000;
 
 /// Where an instance begins, and what leads it.
 pub(crate) struct Beginning<'m> {
@@ -59,8 +56,7 @@ impl Engine {
         assert!(beginnings.len() <= self.instances, "the engine was built for as many");
         self.load(beginnings)?;
         let limit = beginnings.iter().map(|b| b.limit).max().unwrap_or(0);
-        let size = if self.variant.nodes * beginnings.len() > LARGE { LARGE_BATCH } else { BATCH };
-        let batch = size.next_multiple_of(self.grain());
+        let batch = batch(self.variant.nodes * beginnings.len());
         let mut under_way = VecDeque::new();
         let mut step = 0;
         let mut running = true;
@@ -97,7 +93,7 @@ impl Engine {
         }
     }
 
-    fn load(&self, beginnings: &[Beginning<'_>]) -> Result<(), GpuError> {
+    pub(crate) fn load(&self, beginnings: &[Beginning<'_>]) -> Result<(), GpuError> {
         let relaxing = self.variant.relaxing();
         let mut controls = Vec::with_capacity(beginnings.len());
         let mut nodes = Vec::with_capacity(beginnings.len() * self.variant.nodes);
@@ -136,7 +132,7 @@ impl Engine {
         })
     }
 
-    fn write<T: Pod>(&self, binding: Binding, contents: &[T]) {
+    pub(crate) fn write<T: Pod>(&self, binding: Binding, contents: &[T]) {
         if !contents.is_empty() {
             self.gpu.queue().write_buffer(&self.buffers[&binding], 0, bytemuck::cast_slice(contents));
         }
@@ -168,12 +164,8 @@ impl Engine {
             encoder.copy_buffer_to_buffer(&self.buffers[&binding], 0, &copy, 0, size);
         }
         let submission = self.gpu.queue().submit([encoder.finish()]);
-        let mapped = Arc::new(OnceLock::new());
-        let told = Arc::clone(&mapped);
-        copy.map_async(wgpu::MapMode::Read, .., move |result| {
-            let _ = told.set(result.is_ok());
-        });
-        Looked { copy, size, submission, mapped, contents: std::marker::PhantomData }
+        let mapped = Mapped::new(copy);
+        Looked { mapped, size, submission, what: binding.what(), contents: std::marker::PhantomData }
     }
 
     /// All of a buffer's first `count`.
@@ -212,24 +204,17 @@ impl Engine {
 
 /// A copy on its way to the processor.
 struct Looked<T> {
-    copy: wgpu::Buffer,
+    mapped: Mapped,
     size: u64,
     submission: wgpu::SubmissionIndex,
-    mapped: Arc<OnceLock<bool>>,
+    what: &'static str,
     contents: std::marker::PhantomData<T>,
 }
 
 impl<T: Pod> Looked<T> {
     fn wait(self, engine: &Engine) -> Result<Vec<T>, GpuError> {
         engine.gpu.wait_for(self.submission)?;
-        if self.mapped.get() != Some(&true) {
-            return Err(GpuError::Refused("a buffer could not be read".to_owned()));
-        }
-        let view = self.copy.get_mapped_range(..self.size.max(4));
-        let view = view.map_err(|error| GpuError::Refused(format!("a buffer could not be read: {error}")))?;
-        // A mapped buffer need not be aligned as the contents are.
-        let bytes: &[u8] = &view[..usize::try_from(self.size).unwrap_or(0)];
-        Ok(bytemuck::pod_collect_to_vec(bytes))
+        self.mapped.contents(&engine.gpu, self.what, self.size)
     }
 }
 
@@ -261,4 +246,29 @@ fn control(beginning: &Beginning<'_>) -> Control {
 #[expect(clippy::cast_possible_truncation, reason = "to the nearest")]
 fn narrow(x: f64) -> f32 {
     x as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paper::testing::miura;
+    use crate::testing::bench::EULER;
+    use crate::testing::gpu;
+
+    #[test]
+    fn a_kernel_that_was_cut_short_is_noticed() {
+        let Some(gpu) = gpu() else { return };
+        let engine = Engine::bare(&gpu, &[&miura()], EULER).expect("it fits");
+        let at = |step: u32| Control { step, limit: 250, bad_node: NONE, ..Control::default() };
+        assert_eq!(engine.check_steps(&[at(100), at(100)], 100), Ok(()));
+        assert_eq!(engine.check_steps(&[at(250)], 300), Ok(()), "the limit came first");
+        let text = engine.check_steps(&[at(100), at(87)], 100).expect_err("13 are missing").to_string();
+        assert!(text.contains("after 100 steps") && text.contains("made 87"), "{text}");
+        assert!(engine.check_steps(&[at(249)], 300).is_err());
+        // Who has stopped for a reason of its own is not behind.
+        assert_eq!(
+            engine.check_steps(&[Control { stop: 1, ..at(40) }, Control { bad_node: 3, ..at(40) }], 100),
+            Ok(())
+        );
+    }
 }

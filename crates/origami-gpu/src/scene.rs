@@ -84,15 +84,26 @@ impl Scene {
     }
 }
 
-/// Whether two models of one pattern have springs at the same places, so that one scene serves both.
+/// Whether two models have springs at the same places and those with stiffnesses of their own have the same, so that one
+/// scene serves both. Models of one pattern can differ in the places only, where a stiffness is 0.
 pub(crate) fn same_springs(a: &Model, b: &Model) -> bool {
     a.rest == b.rest
         && a.mesh.triangles == b.mesh.triangles
         && a.beams.len() == b.beams.len()
+        && a.beams.iter().zip(&b.beams).all(|pair| pair.0.nodes == pair.1.nodes && same_rigidity(a, b, pair))
         && a.fixed == b.fixed
         && a.creases.len() == b.creases.len()
-        && a.creases.iter().zip(&b.creases).all(|(a, b)| a.nodes == b.nodes)
+        && a.creases.iter().zip(&b.creases).all(|pair| pair.0.nodes == pair.1.nodes && same_stiffness(a, b, pair))
         && a.corner_angles.len() == b.corner_angles.len()
+}
+
+fn same_rigidity(a: &Model, b: &Model, (one, two): (&Beam, &Beam)) -> bool {
+    one.stiffness == two.stiffness || own_rigidity(a, one).is_none() && own_rigidity(b, two).is_none()
+}
+
+fn same_stiffness(a: &Model, b: &Model, (one, two): (&Crease, &Crease)) -> bool {
+    let both = |number: fn(&Model) -> f64| comes_from(a, one, number) && comes_from(b, two, number);
+    one.stiffness == two.stiffness || both(|m| m.material.k_fold) || both(|m| m.material.k_facet)
 }
 
 /// The rigidity of a beam that is not the material's.
@@ -104,21 +115,21 @@ fn own_rigidity(model: &Model, beam: &Beam) -> Option<f32> {
 /// A crease, with the material's number that its stiffness comes from in every model.
 fn hinge(models: &[&Model], crease: usize) -> Hinge {
     let [apex_one, apex_two, end_one, end_two] = models[0].creases[crease].nodes.map(|n| n.0);
-    let comes_from = |number: fn(&Model) -> f64| {
-        models.iter().all(|m| {
-            let own = &m.creases[crease];
-            own.stiffness == length(m, own) * number(m)
-        })
-    };
+    let all_from = |number: fn(&Model) -> f64| models.iter().all(|m| comes_from(m, &m.creases[crease], number));
     let rest_length = length(models[0], &models[0].creases[crease]);
-    let (kind, length) = if comes_from(|m| m.material.k_fold) {
+    let (kind, length) = if all_from(|m| m.material.k_fold) {
         (FOLD, rest_length)
-    } else if comes_from(|m| m.material.k_facet) {
+    } else if all_from(|m| m.material.k_facet) {
         (FACET, rest_length)
     } else {
         (OWN, models[0].creases[crease].stiffness)
     };
     Hinge { apex_one, apex_two, end_one, end_two, length: single(length), kind }
+}
+
+/// Whether a crease's stiffness per length is a number of the material.
+fn comes_from(model: &Model, crease: &Crease, number: fn(&Model) -> f64) -> bool {
+    crease.stiffness == length(model, crease) * number(model)
 }
 
 fn length(model: &Model, crease: &Crease) -> f64 {

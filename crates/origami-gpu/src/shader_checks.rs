@@ -1,9 +1,9 @@
 //! What tests ask of shaders without a GPU: that they are valid, laid out as in Rust, and touch the bindings that Rust
 //! gives them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use naga::valid::{Capabilities, GlobalUse, ModuleInfo, ValidationFlags, Validator};
 use naga::{Module, StorageAccess, TypeInner};
 
 /// A shader that was found valid, without optional capabilities but those named.
@@ -11,6 +11,15 @@ use naga::{Module, StorageAccess, TypeInner};
 pub(crate) struct Checked {
     module: Module,
     info: ModuleInfo,
+}
+
+impl Checked {
+    /// The names of the buffers by their bindings.
+    pub(crate) fn buffers(&self) -> BTreeMap<u32, String> {
+        let variables = self.module.global_variables.iter().map(|(_, variable)| variable);
+        let named = variables.filter_map(|v| Some((v.binding.as_ref()?.binding, v.name.clone().unwrap_or_default())));
+        named.collect()
+    }
 }
 
 /// Parses and validates a shader.
@@ -71,6 +80,19 @@ pub(crate) fn bindings(shader: &Checked, entry: &str) -> BTreeSet<u32> {
     touched.filter_map(|(_, variable)| variable.binding.as_ref()).map(|binding| binding.binding).collect()
 }
 
+/// Whether an entry point, itself or through what it calls, reads each binding of group 0 that it touches, and writes it.
+pub(crate) fn accesses(shader: &Checked, entry: &str) -> BTreeMap<u32, (bool, bool)> {
+    let place = shader.module.entry_points.iter().position(|e| e.name == entry);
+    let uses = shader.info.get_entry_point(place.unwrap_or_else(|| panic!("there is no entry point {entry}")));
+    let touched = shader.module.global_variables.iter().filter(|(handle, _)| !uses[*handle].is_empty());
+    let access = |(handle, variable): (_, &naga::GlobalVariable)| {
+        let how: GlobalUse = uses[handle];
+        let binding = variable.binding.as_ref()?;
+        Some((binding.binding, (how.contains(GlobalUse::READ), how.contains(GlobalUse::WRITE))))
+    };
+    touched.filter_map(access).collect()
+}
+
 /// The storage buffers of a shader that it declares as read-only, whether an entry point touches them or not.
 pub(crate) fn read_only(shader: &Checked) -> BTreeSet<u32> {
     let only_read = |variable: &&naga::GlobalVariable| matches!(variable.space, naga::AddressSpace::Storage { access } if access == StorageAccess::LOAD);
@@ -100,6 +122,7 @@ mod tests {
         let shader = checked("test", TEXT);
         assert_eq!(bindings(&shader, "one"), BTreeSet::from([0, 3]), "the first through a function");
         assert_eq!(bindings(&shader, "two"), BTreeSet::from([4]));
+        assert_eq!(accesses(&shader, "one"), BTreeMap::from([(0, (true, false)), (3, (false, true))]));
         assert_eq!(read_only(&shader), BTreeSet::from([0]));
         assert!(fails(|| drop(bindings(&shader, "three"))));
     }

@@ -166,7 +166,14 @@ pub(crate) fn folded(
         targets,
     };
     if control.bad_node != NONE {
-        return Err(diverged(model, ending, &state, time_step).into());
+        return Err(diverged(
+            model,
+            ending,
+            &state,
+            time_step,
+            matches!(motion, Motion::Dynamics { verlet: true, .. }),
+        )
+        .into());
     }
     // Measured in double precision, at the state as it was read.
     let mut forces = Forces::new(model);
@@ -192,7 +199,7 @@ pub(crate) fn folded(
     Ok(Folded { state, percent, stop, steps, time_step, residual, distance: distance(control), attempts: 1 })
 }
 
-fn diverged(model: &Model, ending: &Ending, state: &State, time_step: f64) -> Diverged {
+fn diverged(model: &Model, ending: &Ending, state: &State, time_step: f64, verlet: bool) -> Diverged {
     let control = &ending.control;
     let node = control.bad_node as usize;
     let last_good = match &ending.kept {
@@ -204,7 +211,61 @@ fn diverged(model: &Model, ending: &Ending, state: &State, time_step: f64) -> Di
         },
         None => State::at_rest(model),
     };
-    let moved = state.velocities[node] * time_step;
+    // Velocity Verlet moves by the velocity in the middle of a step, and keeps the one at its end.
+    let half_a_step = if verlet { vector(ending.nodes[node].force) * (0.5 * time_step) } else { DVec3::ZERO };
+    let moved = (state.velocities[node] - half_a_step) * time_step;
     let place = (NodeId::new(node), state.positions[node], moved);
     Diverged::new(model, place, u64::from(control.step), Box::new(last_good), u64::from(control.kept_step))
+}
+
+#[cfg(test)]
+mod tests {
+    use origami_core::{Dynamics, Relax};
+
+    use super::*;
+    use crate::AdapterChoice;
+    use crate::paper::testing::miura;
+    use crate::testing::gpu;
+
+    /// An adapter of its own: it is going to be lost.
+    fn fresh() -> Option<Gpu> {
+        let choice = AdapterChoice::Named(gpu()?.adapter().to_string());
+        Some(Gpu::open(&choice).expect("opened before"))
+    }
+
+    /// A fold on an adapter that is lost after so many reports of progress; how many there were.
+    fn lost_after<S: Method + Clone>(method: &S, reports: usize) -> Option<(Failed, usize)> {
+        let gpu = fresh()?;
+        let (solver, model) = (gpu.with(method.clone()), miura());
+        let start = State::perturbed(&model, 1e-3, 7);
+        if reports == 0 {
+            gpu.device().destroy();
+        }
+        let mut told = 0;
+        let failed = solver.fold(&model, &start, 60.0, &mut |_| {
+            told += 1;
+            if told == reports {
+                gpu.device().destroy();
+            }
+        });
+        let failed = failed.expect_err("it was lost");
+        assert_eq!(failed.last_state(), &start, "what it began with is all that is known");
+        let all = solver.fold_all(&[Instance { model: &model, start: start.clone(), percent: 60.0 }], &|_, _| {});
+        assert!(matches!(all[0], Err(Failed::Backend { .. })), "it stays lost");
+        Some((failed, told))
+    }
+
+    #[test]
+    fn a_lost_device_is_an_error_with_the_last_state() {
+        let methods =
+            (Relax { steps: Some(5000), ..Relax::default() }, Dynamics { steps: Some(5000), ..Default::default() });
+        for reports in [0, 1, 3] {
+            for failed in [lost_after(&methods.0, reports), lost_after(&methods.1, reports)] {
+                let Some((failed, told)) = failed else { return };
+                assert!(matches!(failed, Failed::Backend { last_read_step: 0, .. }), "{failed}");
+                assert!(failed.to_string().starts_with("the GPU was lost"), "{failed}");
+                assert!(told < 40, "it did not run on: {told} reports");
+            }
+        }
+    }
 }

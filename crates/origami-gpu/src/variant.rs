@@ -63,6 +63,10 @@ impl Variant {
         self.motion == Motion::Relax
     }
 
+    pub(crate) fn damped(&self) -> bool {
+        matches!(self.motion, Motion::Dynamics { damped: true, .. })
+    }
+
     /// The same without damping: what the stopping rule of dynamics looks at.
     pub(crate) fn undamped(&self) -> Self {
         let motion = match self.motion {

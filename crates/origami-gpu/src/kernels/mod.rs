@@ -131,3 +131,131 @@ fn springs(variant: &Variant) -> Vec<&'static str> {
     parts.push(if variant.rigidities { wgsl::RIGIDITY_OWN } else { wgsl::RIGIDITY_UNIFORM });
     parts
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use naga::{AddressSpace, ArraySize, Module, ShaderStage, TypeInner};
+
+    use super::*;
+    use crate::shader_checks::{bindings, checked};
+    use crate::testing::variants;
+
+    const ALL: [&Kernel; 16] = [
+        &decide::KERNEL,
+        &edges::KERNEL,
+        &faces::KERNEL,
+        &judge::KERNEL,
+        &keep::KERNEL,
+        &loose_beams::KERNEL,
+        &moves::KERNEL,
+        &nodes::KERNEL,
+        &renew::KERNEL,
+        &row_sums::KERNEL,
+        &settle::KERNEL,
+        &stiffest::KERNEL,
+        &survey::KERNEL,
+        &weigh::KERNEL,
+        &workgroup_dynamics::KERNEL,
+        &workgroup_relax::KERNEL,
+    ];
+
+    /// What every WebGPU device has.
+    const STORAGE_BUFFERS: usize = 8;
+    const INVOCATIONS: u32 = 256;
+    const WORKGROUP_STORAGE: u32 = 16_384;
+
+    /// Whether the engine ever builds it so: one-workgroup kernels would need nine buffers for these.
+    fn is_built(kernel: &Kernel, variant: &Variant) -> bool {
+        kernel.per != Per::Instance || !kernel.springs || !(variant.rigidities || variant.loose_beams > 0)
+    }
+
+    /// Every kernel in every variant that has a text of its own: constants alone do not change it.
+    fn texts() -> impl Iterator<Item = (&'static Kernel, Variant, String)> {
+        let all = variants::of_texts().into_iter().flat_map(|variant| ALL.map(|kernel| (kernel, variant.clone())));
+        all.filter(|(kernel, variant)| is_built(kernel, variant)).map(|(kernel, variant)| {
+            let text = kernel.source(&variant);
+            (kernel, variant, text)
+        })
+    }
+
+    /// The constants of a module that get no value from `given`.
+    fn without_value(module: &Module, given: &[(&str, f64)]) -> Vec<String> {
+        let names = module.overrides.iter().filter_map(|(_, constant)| constant.name.clone());
+        names.filter(|name| given.iter().all(|(known, _)| known != name)).collect()
+    }
+
+    /// Bytes of a module's workgroup variables, with `invocations` for an array as long as the workgroup.
+    fn workgroup_storage(module: &Module, invocations: u32) -> u32 {
+        let variables = module.global_variables.iter().map(|(_, variable)| variable);
+        let shared = variables.filter(|variable| variable.space == AddressSpace::WorkGroup);
+        let size = |variable: &naga::GlobalVariable| match module.types[variable.ty].inner {
+            TypeInner::Array { size: ArraySize::Pending(_), stride, .. } => stride * invocations,
+            ref inner => inner.size(module.to_ctx()),
+        };
+        shared.map(size).sum()
+    }
+
+    #[test]
+    fn each_kernel_is_valid_and_touches_what_it_is_given() {
+        let mut count = 0;
+        for (kernel, variant, text) in texts() {
+            let shader = checked(kernel.name, &text);
+            let given: BTreeSet<u32> = kernel.bindings(&variant).into_iter().map(|binding| binding as u32).collect();
+            assert_eq!(
+                bindings(&shader, kernel.entry),
+                given,
+                "{} of {variant:?}: in the shader, in Rust",
+                kernel.name
+            );
+            assert!(given.len() <= STORAGE_BUFFERS, "{} of {variant:?} fits the default limits", kernel.name);
+            count += 1;
+        }
+        assert!(count > 100, "{count} texts");
+    }
+
+    #[test]
+    fn each_constant_gets_a_value_and_workgroups_are_small_enough() {
+        for (kernel, variant, text) in texts() {
+            let module = naga::front::wgsl::parse_str(&text).expect("valid");
+            let missing = without_value(&module, &variant.constants(false));
+            assert!(missing.is_empty(), "{}: {missing:?} have no value", kernel.name);
+            assert!(workgroup_storage(&module, INVOCATIONS) <= WORKGROUP_STORAGE, "{}", kernel.name);
+            let entry = module.entry_points.iter().find(|entry| entry.name == kernel.entry).expect("it is there");
+            assert_eq!(entry.stage, ShaderStage::Compute);
+            // Either one invocation or as many as the constant says, which is no more than 256.
+            let by_constant = entry.workgroup_size_overrides.is_some_and(|sizes| sizes[0].is_some());
+            assert!(by_constant || entry.workgroup_size == [1, 1, 1], "{}", kernel.name);
+        }
+    }
+
+    #[test]
+    fn workgroups_have_what_every_device_has_and_a_power_of_two() {
+        for variant in variants::of_texts() {
+            assert!(variant.workgroup <= INVOCATIONS && variant.workgroup.is_power_of_two(), "{variant:?}");
+        }
+    }
+
+    #[test]
+    fn each_kernel_has_the_shader_of_its_name() {
+        for kernel in ALL {
+            let file = format!("{}.wgsl", kernel.name);
+            let (_, text) = origami_shaders::ALL.iter().find(|(name, _)| *name == file).expect("a file of this name");
+            assert_eq!(*text, kernel.text, "{file}");
+        }
+    }
+
+    #[test]
+    fn the_checks_can_fail() {
+        let text = "override KNOWN: u32 = 1u; override NEW: f32 = 2.0; var<workgroup> some: array<vec4<f32>, KNOWN>;
+            var<workgroup> one: u32;
+            @compute @workgroup_size(KNOWN) fn f() { some[0] = vec4<f32>(NEW); one = 1u; }";
+        let module = naga::front::wgsl::parse_str(text).expect("valid");
+        assert_eq!(without_value(&module, &[("KNOWN", 1.0)]), ["NEW"]);
+        assert_eq!(workgroup_storage(&module, 1024), 16_388);
+        let rigid = variants::of_texts().into_iter().find(|variant| variant.rigidities && variant.corners);
+        let nine = workgroup_relax::KERNEL.bindings(&rigid.expect("there is one"));
+        assert!(nine.len() > STORAGE_BUFFERS, "why it is not built");
+    }
+}

@@ -14,3 +14,45 @@ pub(crate) const KERNEL: Kernel = Kernel {
     springs: false,
     per: Per::Instance,
 };
+
+#[cfg(test)]
+mod tests {
+    use origami_core::solve::{Integrator, time_step};
+
+    use super::super::{edges, faces, row_sums, stiffest};
+    use super::*;
+    use crate::paper::testing::{Case, cases};
+    use crate::testing::bench::{Bench, EULER, VERLET, held};
+    use crate::testing::{gpu, sheets};
+
+    /// As a share of the step. It is the root of a sum of some twenty numbers in single precision; of thin triangles, whose
+    /// heights come rounded, it is off by 1.4e-7.
+    const TOLERANCE: f64 = 1e-6;
+
+    fn off(case: &Case, next: f32, integrator: Integrator) -> f64 {
+        let want = time_step::safe(&case.model, &case.state.positions, integrator);
+        (f64::from(next) / want - 1.0).abs()
+    }
+
+    #[test]
+    fn the_safe_step_is_that_of_the_processor() {
+        let Some(gpu) = gpu() else { return };
+        for (i, case) in cases().into_iter().chain(sheets::special()).enumerate() {
+            let case = held(&case);
+            let (motion, integrator) =
+                if i % 2 == 0 { (EULER, Integrator::Euler) } else { (VERLET, Integrator::Verlet) };
+            let bench = Bench::new(&gpu, &case, motion);
+            bench.run(&bench.with_loose(&[&edges::KERNEL, &faces::KERNEL]), false);
+            bench.run(&[&row_sums::KERNEL, &stiffest::KERNEL, &KERNEL], false);
+            let control = bench.control();
+            let found = off(&case, control.next_step, integrator);
+            println!("renew, {}: {found:.1e}", case.name);
+            assert!(found < TOLERANCE, "{}: {found}", case.name);
+            let mut stiffer = case.clone();
+            stiffer.model.beams.iter_mut().for_each(|b| b.stiffness *= 1.01);
+            stiffer.model.creases.iter_mut().for_each(|c| c.stiffness *= 1.01);
+            assert!(off(&stiffer, control.next_step, integrator) > TOLERANCE, "{}: it is seen", case.name);
+            assert_eq!(control.stiffest, 0, "ready for the next time");
+        }
+    }
+}

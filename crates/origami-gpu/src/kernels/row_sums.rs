@@ -14,3 +14,58 @@ pub(crate) const KERNEL: Kernel = Kernel {
     springs: true,
     per: Per::Face,
 };
+
+#[cfg(test)]
+mod tests {
+    use origami_core::solve::row_sums;
+
+    use super::super::{edges, faces};
+    use super::*;
+    use crate::Gpu;
+    use crate::paper::testing::{Case, ROUNDING, cases, collapsed, tampered, worst};
+    use crate::testing::bench::{Bench, EULER, held};
+    use crate::testing::{gpu, magnitudes, sheets};
+
+    /// In roundings of all that is summed at a node: products of two gradients, each some ten operations.
+    const TOLERANCE: f64 = 8.0;
+
+    fn sums(gpu: &Gpu, case: &Case) -> Vec<f64> {
+        let bench = Bench::new(gpu, case, EULER);
+        bench.run(&bench.with_loose(&[&edges::KERNEL, &faces::KERNEL]), false);
+        bench.run(&[&KERNEL], false);
+        bench.gathered().into_iter().map(|sum| sum.w).collect()
+    }
+
+    fn error(case: &Case, got: &[f64]) -> f64 {
+        let mut wanted = vec![0.0; case.model.node_count()];
+        row_sums::row_sums(&case.model, &case.state.positions, &mut wanted);
+        let scales = magnitudes::of_row_sums(case).into_iter().map(|size| ROUNDING * size);
+        worst(got.iter().zip(&wanted).zip(scales).map(|((got, want), scale)| ((got - want).abs(), scale)))
+    }
+
+    #[test]
+    fn agree_with_the_processor() {
+        let Some(gpu) = gpu() else { return };
+        for case in cases().into_iter().chain(sheets::special()).chain([collapsed()]) {
+            let case = held(&case);
+            let got = sums(&gpu, &case);
+            let error = error(&case, &got);
+            println!("row sums, {}: {error:.2}", case.name);
+            assert!(error < TOLERANCE, "{}: {error} roundings", case.name);
+            let wrong = |change: &dyn Fn(&mut Case)| {
+                let mut wrong = case.clone();
+                change(&mut wrong);
+                self::error(&wrong, &got)
+            };
+            assert!(wrong(&|c| c.model.beams.iter_mut().for_each(|b| b.stiffness *= 1.001)) > TOLERANCE);
+            if case.model.creases.is_empty() {
+                continue;
+            }
+            assert!(self::error(&tampered(&case), &got) > TOLERANCE, "{}: a moved node is seen", case.name);
+            assert!(wrong(&|c| c.model.creases.iter_mut().for_each(|s| s.stiffness *= 1.001)) > TOLERANCE);
+            if !case.model.corner_angles.is_empty() {
+                assert!(wrong(&|c| c.model.material.k_face *= 1.01) > TOLERANCE, "{}", case.name);
+            }
+        }
+    }
+}

@@ -9,7 +9,7 @@ use super::{coefficients, fold_angles, forces, normals, positions};
 use crate::Gpu;
 
 /// In the order in which they run.
-pub(super) const PASSES: [&Kernel; 5] =
+pub(crate) const PASSES: [&Kernel; 5] =
     [&normals::KERNEL, &fold_angles::KERNEL, &coefficients::KERNEL, &forces::KERNEL, &positions::KERNEL];
 
 /// Invocations in a workgroup.
@@ -25,9 +25,9 @@ pub(super) enum Each {
 
 /// One pass.
 #[derive(Debug)]
-pub(super) struct Kernel {
+pub(crate) struct Kernel {
     /// The entry point.
-    pub(super) name: &'static str,
+    pub(crate) name: &'static str,
     /// Its own part of the shader.
     pub(super) own: &'static str,
     /// What it reads and writes.
@@ -37,7 +37,7 @@ pub(super) struct Kernel {
 
 impl Kernel {
     /// The whole shader.
-    pub(super) fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         [SHEET, ANGLE, self.own].concat()
     }
 

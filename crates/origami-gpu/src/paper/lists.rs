@@ -5,7 +5,7 @@ use origami_core::forces::damping;
 use origami_core::ids::NodeId;
 use origami_core::model::Model;
 
-use super::layout::{BeamEnd, Crease, Node, Role, Settings, Triangle};
+use super::layout::{BeamEnd, Crease, Motion, Node, Role, Settings, Slot, Spring, Status, Triangle};
 
 /// The constant buffers of a sheet.
 pub(super) struct Lists {
@@ -46,6 +46,31 @@ impl Lists {
                 time_step: time_step as f32,
                 k_face: model.material.k_face as f32,
             },
+        }
+    }
+
+    /// What a buffer holds from the beginning; nothing where wgpu fills it with zeros.
+    pub(super) fn bytes(&self, slot: Slot) -> &[u8] {
+        match slot {
+            Slot::Settings => bytemuck::bytes_of(&self.settings),
+            Slot::Nodes => bytemuck::cast_slice(&self.nodes),
+            Slot::Triangles => bytemuck::cast_slice(&self.triangles),
+            Slot::Creases => bytemuck::cast_slice(&self.creases),
+            Slot::BeamEnds => bytemuck::cast_slice(&self.beam_ends),
+            Slot::Roles => bytemuck::cast_slice(&self.roles),
+            Slot::Status | Slot::Motions | Slot::NextVelocities | Slot::FaceNormals | Slot::Springs => &[],
+        }
+    }
+
+    /// The length of a buffer in bytes.
+    pub(super) fn size(&self, slot: Slot) -> usize {
+        match slot {
+            Slot::Status => size_of::<Status>(),
+            Slot::Motions => self.nodes.len() * size_of::<Motion>(),
+            Slot::NextVelocities => self.nodes.len() * size_of::<[f32; 4]>(),
+            Slot::FaceNormals => self.triangles.len() * size_of::<[f32; 4]>(),
+            Slot::Springs => self.creases.len() * size_of::<Spring>(),
+            filled => self.bytes(filled).len(),
         }
     }
 }

@@ -13,6 +13,9 @@ mod normals;
 mod positions;
 mod sheet;
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
+mod traffic;
 
 pub use dynamics::PaperDynamics;
+#[cfg(test)]
+pub(crate) use kernel::PASSES as PAPER_PASSES;

@@ -1,7 +1,5 @@
 //! A sheet in the memory of a GPU.
 
-use std::sync::{Arc, OnceLock};
-
 use bytemuck::Pod;
 use glam::{DVec3, Vec3};
 use origami_core::State;
@@ -10,6 +8,7 @@ use origami_core::model::Model;
 use super::kernel::{Each, Kernel, PASSES, Pass, WORKGROUP};
 use super::layout::{Motion, NONE, Settings, Slot, Spring, Status};
 use super::lists::Lists;
+use crate::mapped::Mapped;
 use crate::{Gpu, GpuError};
 
 /// A sheet in the memory of a GPU, with the passes bound to it.
@@ -28,30 +27,16 @@ impl Sheet {
     /// [`Gpu::scoped`] returns.
     pub(super) fn new(gpu: &Gpu, model: &Model, time_step: f64) -> Result<Self, GpuError> {
         let lists = Lists::new(model, time_step);
-        let (nodes, triangles) = (lists.nodes.len(), lists.triangles.len());
-        let bytes = |slot| match slot {
-            Slot::Settings => bytemuck::bytes_of(&lists.settings),
-            Slot::Nodes => bytemuck::cast_slice(&lists.nodes),
-            Slot::Triangles => bytemuck::cast_slice(&lists.triangles),
-            Slot::Creases => bytemuck::cast_slice(&lists.creases),
-            Slot::BeamEnds => bytemuck::cast_slice(&lists.beam_ends),
-            Slot::Roles => bytemuck::cast_slice(&lists.roles),
-            // wgpu fills these with zeros.
-            Slot::Status | Slot::Motions | Slot::NextVelocities | Slot::FaceNormals | Slot::Springs => [].as_slice(),
-        };
-        let size = |slot| match slot {
-            Slot::Status => size_of::<Status>(),
-            Slot::Motions => nodes * size_of::<Motion>(),
-            Slot::NextVelocities => nodes * size_of::<[f32; 4]>(),
-            Slot::FaceNormals => triangles * size_of::<[f32; 4]>(),
-            Slot::Springs => lists.creases.len() * size_of::<Spring>(),
-            filled => bytes(filled).len(),
-        };
+        let size = |slot| lists.size(slot);
         for slot in Slot::ALL {
             check(gpu, slot.what(), size(slot) as u64, gpu.limits().max_storage_buffer_binding_size)?;
         }
-        for (count, what) in [(nodes, Slot::Nodes), (triangles, Slot::Triangles), (lists.creases.len(), Slot::Creases)]
-        {
+        let counts = [
+            (lists.nodes.len(), Slot::Nodes),
+            (lists.triangles.len(), Slot::Triangles),
+            (lists.creases.len(), Slot::Creases),
+        ];
+        for (count, what) in counts {
             let most = u64::from(gpu.limits().max_compute_workgroups_per_dimension) * u64::from(WORKGROUP);
             let bytes_each = (size(what) / count.max(1)) as u64;
             check(gpu, what.what(), size(what) as u64, most * bytes_each.max(1))?;
@@ -59,7 +44,7 @@ impl Sheet {
         gpu.scoped(|| {
             let buffers: Vec<wgpu::Buffer> = Slot::ALL.map(|slot| buffer(gpu, slot, size(slot) as u64)).into();
             for slot in Slot::ALL {
-                gpu.queue().write_buffer(&buffers[slot as usize], 0, bytes(slot));
+                gpu.queue().write_buffer(&buffers[slot as usize], 0, lists.bytes(slot));
             }
             let passes = PASSES.map(|kernel| kernel.bound(gpu, &buffers)).into();
             Self { gpu: gpu.clone(), buffers, passes, settings: lists.settings }
@@ -135,8 +120,7 @@ impl Sheet {
         if size == 0 {
             return Ok(Vec::new());
         }
-        let mapped = Arc::new(OnceLock::new());
-        let staging = self.gpu.scoped(|| {
+        let mapped = self.gpu.scoped(|| {
             let staging = self.gpu.device().create_buffer(&wgpu::BufferDescriptor {
                 label: Some("staging"),
                 size,
@@ -146,21 +130,10 @@ impl Sheet {
             let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
             encoder.copy_buffer_to_buffer(&self.buffers[slot as usize], 0, &staging, 0, size);
             self.gpu.queue().submit([encoder.finish()]);
-            let outcome = Arc::clone(&mapped);
-            staging.map_async(wgpu::MapMode::Read, .., move |result| {
-                let _ = outcome.set(result);
-            });
-            staging
+            Mapped::new(staging)
         })?;
         self.gpu.wait()?;
-        let refused = |why: String| GpuError::Refused(format!("{} could not be read: {why}", slot.what()));
-        match mapped.get() {
-            Some(Ok(())) => {}
-            Some(Err(error)) => return Err(refused(error.to_string())),
-            None => return Err(refused("it was not mapped".to_owned())),
-        }
-        let view = staging.get_mapped_range(..).map_err(|error| refused(error.to_string()))?;
-        Ok(bytemuck::pod_collect_to_vec(&view[..]))
+        mapped.contents(&self.gpu, slot.what(), size)
     }
 }
 

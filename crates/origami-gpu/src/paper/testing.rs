@@ -14,14 +14,14 @@ use super::sheet::Sheet;
 use crate::Gpu;
 
 /// Half of the distance from 1 to the next f32: what one rounding loses.
-pub(super) const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+pub(crate) const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
 
 /// Numbers in a fixed sequence without any order.
-pub(super) struct Random(pub(super) u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     /// Evenly between two bounds.
-    pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         // A 64-bit linear congruential generator, of which the upper half is used.
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         low + (high - low) * (self.0 >> 32) as f64 / (1_u64 << 32) as f64
@@ -32,7 +32,7 @@ impl Random {
         self.between(low.ln(), high.ln()).exp()
     }
 
-    pub(super) fn vector(&mut self, size: f64) -> DVec3 {
+    pub(crate) fn vector(&mut self, size: f64) -> DVec3 {
         DVec3::from_array([(); 3].map(|()| self.between(-size, size)))
     }
 
@@ -44,10 +44,10 @@ impl Random {
 
 /// A sheet in a state that f32 holds exactly as displacement from rest, so that both sides see the same.
 #[derive(Clone)]
-pub(super) struct Case {
-    pub(super) name: &'static str,
-    pub(super) model: Model,
-    pub(super) state: State,
+pub(crate) struct Case {
+    pub(crate) name: &'static str,
+    pub(crate) model: Model,
+    pub(crate) state: State,
 }
 
 /// The kinds of hinges of which the heights and fold angles make trouble.
@@ -67,7 +67,7 @@ const KINDS: [Kind; 3] = [
 ];
 
 /// Hinges of all kinds, and sheets of which every node has been moved.
-pub(super) fn cases() -> Vec<Case> {
+pub(crate) fn cases() -> Vec<Case> {
     let hinges = KINDS.iter().map(|kind| hinges(*kind));
     let sheets = patterns().into_iter().map(|(name, model)| moved(name, model));
     hinges.chain(sheets).collect()
@@ -141,13 +141,13 @@ fn state(model: &Model, positions: Vec<DVec3>, near: &[f64], random: &mut Random
     State { positions, velocities, fold_angles, targets }
 }
 
-pub(super) fn miura() -> Model {
+pub(crate) fn miura() -> Model {
     model(Miura { columns: 5, rows: 4, ..Miura::default() }.pattern().expect("a pattern"))
 }
 
 /// What trajectories are compared on: sheets of several kinds, one with cuts, one with fixed nodes, stiffnesses of its own
 /// and creases that nothing drives.
-pub(super) fn patterns() -> Vec<(&'static str, Model)> {
+pub(crate) fn patterns() -> Vec<(&'static str, Model)> {
     let mut fixed = Miura { columns: 4, rows: 4, ..Miura::default() }.pattern().expect("a pattern");
     fixed.fixed = vec![VertexId(0), VertexId(6)];
     for (i, edge) in fixed.edges.iter_mut().enumerate() {
@@ -212,21 +212,21 @@ fn with_cuts() -> CreasePattern {
 
 /// How far a vector between two nodes may be off for every rounding of 1: its part at rest, the part that moved and the sum
 /// are rounded.
-pub(super) fn reach(case: &Case, [from, to]: [usize; 2]) -> f64 {
+pub(crate) fn reach(case: &Case, [from, to]: [usize; 2]) -> f64 {
     let (rest, now) =
         (case.model.rest[to] - case.model.rest[from], case.state.positions[to] - case.state.positions[from]);
     rest.length() + (now - rest).length() + now.length()
 }
 
 /// The case with one node moved a little: what a comparison must find.
-pub(super) fn tampered(case: &Case) -> Case {
+pub(crate) fn tampered(case: &Case) -> Case {
     let mut wrong = case.clone();
     wrong.state.positions[1] += DVec3::new(0.6e-3, 0.8e-3, 0.5e-3);
     wrong
 }
 
 /// Hinges of which the first has one apex on its end, and the second both ends in one place.
-pub(super) fn collapsed() -> Case {
+pub(crate) fn collapsed() -> Case {
     let mut case = hinges(KINDS[0]);
     for (moved, to) in [(0, 2), (4 + 3, 4 + 2)] {
         case.state.positions[moved] = case.state.positions[to];
@@ -244,12 +244,12 @@ pub(super) fn sheet(gpu: &Gpu, case: &Case) -> Sheet {
 }
 
 /// The largest distance between two lists of points; what is no number is infinitely far.
-pub(super) fn farthest(a: &[DVec3], b: &[DVec3]) -> f64 {
+pub(crate) fn farthest(a: &[DVec3], b: &[DVec3]) -> f64 {
     worst(a.iter().zip(b).map(|(p, q)| (p.distance(*q), 1.0)))
 }
 
 /// The largest of errors, each in units of its scale; infinite where one is no number.
-pub(super) fn worst(errors: impl Iterator<Item = (f64, f64)>) -> f64 {
+pub(crate) fn worst(errors: impl Iterator<Item = (f64, f64)>) -> f64 {
     errors.map(|(error, scale)| error / scale).fold(0.0, |most, e| if e.is_nan() { f64::INFINITY } else { most.max(e) })
 }
 

@@ -1,4 +1,9 @@
-//! An adapter for tests.
+//! An adapter for tests, and what the tests of the kernels have in common.
+
+pub(crate) mod bench;
+pub(crate) mod magnitudes;
+pub(crate) mod sheets;
+pub(crate) mod variants;
 
 use std::io::Write;
 use std::sync::OnceLock;

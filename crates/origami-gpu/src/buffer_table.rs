@@ -1,0 +1,122 @@
+//! Holds the tables of buffers in `shaders/README.md` against the shaders.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use origami_core::generate::miura;
+use origami_core::{Material, Model};
+
+use crate::kernels::{
+    Kernel, decide, edges, faces, judge, keep, loose_beams, moves, nodes, renew, row_sums, settle, stiffest, survey,
+    weigh, workgroup_dynamics, workgroup_relax,
+};
+use crate::paper::PAPER_PASSES;
+use crate::scene::Scene;
+use crate::shader_checks::{Checked, accesses, checked};
+use crate::variant::{Motion, Variant};
+
+const KERNELS: [&Kernel; 16] = [
+    &edges::KERNEL,
+    &faces::KERNEL,
+    &loose_beams::KERNEL,
+    &nodes::KERNEL,
+    &row_sums::KERNEL,
+    &stiffest::KERNEL,
+    &renew::KERNEL,
+    &weigh::KERNEL,
+    &decide::KERNEL,
+    &moves::KERNEL,
+    &settle::KERNEL,
+    &judge::KERNEL,
+    &survey::KERNEL,
+    &keep::KERNEL,
+    &workgroup_dynamics::KERNEL,
+    &workgroup_relax::KERNEL,
+];
+
+/// By binding: the buffer's name, the kernels that write it and those that read it.
+type Table = BTreeMap<u32, (String, BTreeSet<String>, BTreeSet<String>)>;
+
+/// The rows below a heading, up to the next. *All* is every kernel, and the host is no kernel.
+fn table(text: &str, heading: &str, all: &[&str]) -> Table {
+    let (_, part) = text.split_once(&format!("\n## {heading}\n")).expect("the heading");
+    let rows = part.split("\n## ").next().expect("a part").lines().filter_map(|line| line.strip_prefix("| "));
+    let name = |cell: &str| cell.trim().trim_matches('`').to_owned();
+    let kernels = |cell: &str| -> BTreeSet<String> {
+        let names = cell.split(',').map(name).filter(|kernel| kernel != "host" && !kernel.is_empty());
+        let every = |kernel: String| if kernel == "all" { all.iter().map(|k| name(k)).collect() } else { vec![kernel] };
+        names.flat_map(every).collect()
+    };
+    let row = |row: &str| {
+        let cells: Vec<&str> = row.trim_end_matches('|').split('|').collect();
+        let binding = cells[0].trim().parse().ok()?;
+        assert_eq!(cells.len(), 7, "{row}");
+        Some((binding, (name(cells[1]), kernels(cells[5]), kernels(cells[6]))))
+    };
+    rows.filter_map(row).collect()
+}
+
+/// The same as the shaders have it.
+fn found(kernels: impl IntoIterator<Item = (&'static str, &'static str, Checked)>) -> Table {
+    let mut found = Table::new();
+    for (name, entry, shader) in kernels {
+        let names = shader.buffers();
+        for (binding, (reads, writes)) in accesses(&shader, entry) {
+            let row =
+                found.entry(binding).or_insert_with(|| (names[&binding].clone(), BTreeSet::new(), BTreeSet::new()));
+            assert_eq!(row.0, names[&binding], "one name for binding {binding}");
+            if writes {
+                row.1.insert(name.to_owned());
+            }
+            if reads {
+                row.2.insert(name.to_owned());
+            }
+        }
+    }
+    found
+}
+
+fn readme() -> String {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shaders/README.md");
+    std::fs::read_to_string(path).expect("it is there")
+}
+
+fn assert_same(told: &Table, there: &Table) {
+    assert!(!there.is_empty());
+    for binding in told.keys().chain(there.keys()) {
+        assert_eq!(told.get(binding), there.get(binding), "binding {binding}: in README.md, in the shaders");
+    }
+}
+
+#[test]
+fn the_pipeline_has_the_buffers_that_the_table_tells() {
+    let model = Model::new(&miura(2, 2).expect("valid"), &Material::default()).expect("a generated pattern");
+    let variant = Variant::new(&Scene::new(&[&model]), Motion::Relax, Some(Material::default()));
+    // With and without what a scene may have. One workgroup takes no scene with rigidities: eight buffers are all there is.
+    let several = |k: &&&Kernel| !k.name.starts_with("workgroup") && k.springs;
+    let plain = KERNELS.iter().map(|k| (*k, variant.clone()));
+    let rich = KERNELS.iter().filter(several).map(|k| (*k, Variant { rigidities: true, ..variant.clone() }));
+    let there = found(plain.chain(rich).map(|(k, variant)| (k.name, k.entry, checked(k.name, &k.source(&variant)))));
+    let told = table(&readme(), "The pipeline", &KERNELS.map(|k| k.name));
+    assert_same(&told, &there);
+}
+
+#[test]
+fn the_papers_passes_have_the_buffers_that_the_table_tells() {
+    let there = found(PAPER_PASSES.iter().map(|pass| (pass.name, pass.name, checked(pass.name, &pass.text()))));
+    assert_same(&table(&readme(), "The paper's five passes", &[]), &there);
+}
+
+#[test]
+fn a_wrong_table_is_found() {
+    let text = "\n## A\n\n| binding | buffer |\n|---|---|\n| 3 | `sums` | a | b | c | host, `one` | all |\n\n## B\n| 4 | `x` |";
+    let told = table(text, "A", &["one", "two"]);
+    let names = |names: &[&str]| names.iter().map(ToString::to_string).collect::<BTreeSet<String>>();
+    let there = Table::from([(3, ("sums".to_owned(), names(&["one"]), names(&["one", "two"])))]);
+    assert_same(&told, &there);
+    let differs = |other: Table| std::panic::catch_unwind(|| assert_same(&told, &other)).is_err();
+    let row = &there[&3];
+    assert!(differs(Table::from([(3, ("total".to_owned(), row.1.clone(), row.2.clone()))])), "name");
+    assert!(differs(Table::from([(2, row.clone())])), "binding");
+    assert!(differs(Table::from([(3, row.clone()), (4, row.clone())])), "a buffer that is not told");
+    assert!(differs(Table::from([(3, (row.0.clone(), names(&[]), row.2.clone()))])), "who writes");
+}

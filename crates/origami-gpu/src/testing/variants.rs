@@ -1,0 +1,45 @@
+//! Ways to build the kernels.
+
+use origami_core::Material;
+
+use crate::variant::{Motion, Variant};
+
+/// A relaxation with everything that a plain sheet has.
+pub(crate) fn plain() -> Variant {
+    Variant {
+        motion: Motion::Relax,
+        corners: true,
+        rigidities: false,
+        fixed: false,
+        material: Some(Material::default()),
+        nodes: 100,
+        creases: 200,
+        faces: 150,
+        loose_beams: 0,
+        slots: 450,
+        workgroup: 64,
+        steps: 1,
+    }
+}
+
+/// All that differ in their text, with every motion and both sizes of workgroups among them.
+pub(crate) fn of_texts() -> Vec<Variant> {
+    let dynamics = |verlet, damped| Motion::Dynamics { verlet, damped };
+    let motions =
+        [Motion::Relax, dynamics(false, true), dynamics(true, true), dynamics(false, false), dynamics(true, false)];
+    (0..16_usize)
+        .map(|bits| {
+            let is = |place: usize| bits >> place & 1 == 1;
+            Variant {
+                motion: motions[bits % motions.len()],
+                corners: is(0),
+                rigidities: is(1),
+                material: is(2).then(Material::default),
+                loose_beams: if is(3) { 4 } else { 0 },
+                fixed: bits % 3 == 0,
+                workgroup: if bits % 2 == 0 { 64 } else { 256 },
+                ..plain()
+            }
+        })
+        .collect()
+}

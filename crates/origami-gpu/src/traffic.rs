@@ -1,0 +1,262 @@
+//! What a step reads and writes, and how much memory a sheet takes, counted from the buffers: no GPU is asked.
+
+use origami_core::Model;
+use origami_core::solve::{Dynamics, Integrator, TimeStep};
+
+use crate::engine::sizes;
+use crate::kernels::{Binding, Kernel};
+use crate::plan::{Plan, TICK, batch};
+use crate::scene::Scene;
+use crate::variant::{Motion, Variant};
+
+/// What one step of a single sheet moves between memory and processors, and what the sheet's buffers take.
+///
+/// Each pass counts every buffer that it reads or writes once, whole: what neighbours share is read once, and nothing
+/// stays in a cache from one pass to the next. Only nodes count by halves of 32 bytes, position apart from velocity and
+/// force. The control block is not counted.
+///
+/// It holds for [`Dispatch::Passes`](crate::Dispatch::Passes); one workgroup does the same work on what lies in its cache.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Traffic {
+    /// Nodes of the sheet.
+    pub nodes: usize,
+    /// In the order of their bindings.
+    pub buffers: Vec<BufferSize>,
+    /// In the order in which they run.
+    pub passes: Vec<PassTraffic>,
+}
+
+/// A buffer and its length.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BufferSize {
+    /// What it holds.
+    pub what: &'static str,
+    /// Its length for one instance.
+    pub bytes: u64,
+}
+
+/// What one pass moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PassTraffic {
+    /// The shader's file, without its extension.
+    pub name: &'static str,
+    /// Runs in a step; less than 1 where it runs now and then.
+    pub per_step: f64,
+    /// Bytes that a run reads.
+    pub read: u64,
+    /// Bytes that a run writes.
+    pub written: u64,
+}
+
+impl Traffic {
+    /// Of a relaxation.
+    #[must_use]
+    pub fn of_relax(model: &Model) -> Self {
+        Self::of(model, Motion::Relax, false)
+    }
+
+    /// Of dynamics.
+    #[must_use]
+    pub fn of_dynamics(model: &Model, method: &Dynamics) -> Self {
+        let motion =
+            Motion::Dynamics { verlet: method.integrator == Integrator::Verlet, damped: model.material.zeta > 0.0 };
+        Self::of(model, motion, method.time_step == TimeStep::Safe)
+    }
+
+    fn of(model: &Model, motion: Motion, safe: bool) -> Self {
+        let scene = Scene::new(&[model]);
+        let variant = Variant::new(&scene, motion, Some(model.material));
+        let buffers = sizes(&scene, &variant).into_iter();
+        let mut buffers: Vec<_> = buffers.map(|(binding, each, once)| (binding, each + once)).collect();
+        buffers.sort_by_key(|(binding, _)| *binding);
+        let plan = Plan::new(&variant, safe);
+        let seldom = 1.0 / TICK as f64;
+        let moved = |kernels: &[&Kernel], variant: &Variant, per_step| -> Vec<PassTraffic> {
+            kernels.iter().map(|k| moved(k, variant, &buffers, per_step)).collect()
+        };
+        let passes = if variant.relaxing() {
+            vec![moved(&plan.forces, &variant, 1.0), moved(plan.settling, &variant, seldom)]
+        } else {
+            vec![
+                moved(&plan.forces[..1], &variant, 1.0),
+                moved(&plan.forces[1..], &variant.undamped(), seldom),
+                moved(plan.settling, &variant, seldom),
+                moved(&plan.forces[1..], &variant, 1.0),
+            ]
+        };
+        let others = [
+            moved(plan.row_sums, &variant, 1.0 / plan.renewal as f64),
+            moved(plan.motion, &variant, 1.0),
+            moved(plan.keeping, &variant, 1.0 / batch(scene.nodes) as f64),
+        ];
+        Self {
+            nodes: scene.nodes,
+            passes: passes.into_iter().chain(others).flatten().collect(),
+            buffers: buffers
+                .iter()
+                .map(|(binding, bytes)| BufferSize { what: binding.what(), bytes: *bytes })
+                .collect(),
+        }
+    }
+
+    /// Bytes that one step moves, what runs now and then with its share.
+    #[must_use]
+    pub fn bytes_per_step(&self) -> f64 {
+        self.passes.iter().map(|pass| pass.per_step * (pass.read + pass.written) as f64).sum()
+    }
+
+    /// The same for each node.
+    #[must_use]
+    pub fn bytes_per_node_and_step(&self) -> f64 {
+        self.bytes_per_step() / self.nodes as f64
+    }
+
+    /// Bytes that all buffers take.
+    #[must_use]
+    pub fn memory(&self) -> u64 {
+        self.buffers.iter().map(|buffer| buffer.bytes).sum()
+    }
+
+    /// The most nodes times steps in a second that a memory of `bandwidth` bytes a second allows.
+    #[must_use]
+    pub fn most_node_steps_per_second(&self, bandwidth: f64) -> f64 {
+        bandwidth / self.bytes_per_node_and_step()
+    }
+}
+
+fn moved(kernel: &Kernel, variant: &Variant, buffers: &[(Binding, u64)], per_step: f64) -> PassTraffic {
+    let (mut read, mut written) = (0, 0);
+    for binding in kernel.bindings(variant) {
+        let bytes = buffers.iter().find(|(other, _)| *other == binding).map_or(0, |(_, bytes)| *bytes);
+        let part = part(kernel, binding, variant);
+        let share = |halves: u64| bytes * halves / 2;
+        read += share(part.read).min(part.most);
+        written += share(part.written).min(part.most);
+    }
+    PassTraffic { name: kernel.name, per_step, read, written }
+}
+
+/// How much of a buffer a kernel touches, in halves; and at most so many bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Part {
+    read: u64,
+    written: u64,
+    most: u64,
+}
+
+const fn halves(read: u64, written: u64) -> Part {
+    Part { read, written, most: u64::MAX }
+}
+
+fn part(kernel: &Kernel, binding: Binding, variant: &Variant) -> Part {
+    let beams = 2 * variant.loose_beams as u64;
+    match (binding, kernel.name) {
+        (Binding::Control, _) => halves(0, 0),
+        // The position; dampers read velocities too.
+        (Binding::Nodes, "faces") if !variant.damped() => halves(1, 0),
+        (Binding::Nodes, "edges" | "row_sums") => halves(1, 0),
+        (Binding::Nodes, "loose_beams") => Part { most: beams * 64, ..halves(2, 0) },
+        // Whether it is fixed.
+        (Binding::Nodes, "stiffest") => halves(u64::from(variant.fixed), 0),
+        // The force.
+        (Binding::Nodes, "weigh") => halves(2, 1),
+        (Binding::Nodes, "nodes" | "moves") => halves(2, 2),
+        (Binding::CreaseStates, "edges") => halves(2, 2),
+        (Binding::Slots, "faces" | "row_sums") => Part { most: variant.faces as u64 * 48, ..halves(0, 2) },
+        (Binding::Slots, "loose_beams") => Part { most: beams * 16, ..halves(0, 2) },
+        (Binding::Partials, "weigh" | "settle") | (Binding::KeptNodes | Binding::KeptAngles, _) => halves(0, 2),
+        (Binding::Windows, _) => halves(2, 2),
+        _ => halves(2, 0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use origami_core::generate::miura;
+    use origami_core::{CreasePattern, Material};
+
+    use super::*;
+    use crate::shader_checks::{accesses, checked};
+
+    fn model(pattern: &CreasePattern, material: &Material) -> Model {
+        Model::new(pattern, material).expect("a generated pattern")
+    }
+
+    fn sheet() -> Model {
+        model(&miura(7, 5).expect("valid"), &Material::default())
+    }
+
+    /// Whatever a pass may have: loose beams, beams of their own rigidity, fixed nodes.
+    fn with_everything(motion: Motion) -> Variant {
+        let variant = Variant::new(&Scene::new(&[&sheet()]), motion, Some(Material::default()));
+        Variant { loose_beams: 3, rigidities: true, fixed: true, ..variant }
+    }
+
+    #[test]
+    fn passes_read_and_write_what_their_shaders_do() {
+        for motion in [Motion::Relax, Motion::Dynamics { verlet: true, damped: true }] {
+            let variant = with_everything(motion);
+            let plan = Plan::new(&variant, true);
+            let kernels = plan.forces.iter().chain(plan.settling).chain(plan.row_sums).chain(plan.motion);
+            for kernel in kernels.chain(plan.keeping) {
+                let shader = checked(kernel.name, &kernel.source(&variant));
+                for (binding, expected) in accesses(&shader, kernel.entry) {
+                    let bindings = kernel.bindings(&variant);
+                    let binding = *bindings.iter().find(|b| **b as u32 == binding).expect("a binding of Rust");
+                    let part = part(kernel, binding, &variant);
+                    let counted = (part.read > 0, part.written > 0);
+                    assert!(
+                        counted == expected || binding == Binding::Control,
+                        "{} of {}",
+                        binding.what(),
+                        kernel.name
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_sheet_is_counted_by_hand() {
+        let model = sheet();
+        let (n, t, c) = (model.node_count() as u64, model.mesh.triangles.len() as u64, model.creases.len() as u64);
+        let traffic = Traffic::of_dynamics(&model, &Dynamics::default());
+        let find =
+            |name, often: f64| *traffic.passes.iter().find(|p| p.name == name && p.per_step == often).expect(name);
+        let (edges, faces, nodes) = (find("edges", 1.0), find("faces", 1.0), find("nodes", 1.0));
+        assert_eq!((edges.read, edges.written), (32 * n + (16 + 24) * c, 16 * c));
+        assert_eq!((faces.read, faces.written), (64 * n + 16 * c + (60 + 16) * t, 48 * t));
+        assert_eq!((nodes.read, nodes.written), (64 * n + 48 * t + 4 * (n + 1), 64 * n));
+        assert_eq!(find("faces", 0.05).read, faces.read - 32 * n, "without damping no velocities");
+        let memory =
+            128 + 64 * n + 16 * c + 24 * c + 60 * t + 48 * t + 4 * (n + 1) + 16 * t + 16 + 48 * n + 64 * n + 4 * c;
+        assert_eq!(traffic.memory(), memory);
+        let two = PassTraffic { name: "two", per_step: 0.5, read: 60, written: 20 };
+        let simple = Traffic { nodes: 4, buffers: Vec::new(), passes: vec![two, two] };
+        assert_eq!((simple.bytes_per_step(), simple.bytes_per_node_and_step()), (80.0, 20.0));
+        assert_eq!(simple.most_node_steps_per_second(100.0), 5.0);
+    }
+
+    #[test]
+    fn what_a_scene_does_without_is_not_moved() {
+        let pattern = miura(7, 5).expect("valid");
+        let of = |material: &Material| Traffic::of_relax(&model(&pattern, material)).bytes_per_step();
+        let all = of(&Material::default());
+        assert!(of(&Material { k_face: 0.0, ..Material::default() }) < all, "corner angles");
+        assert!(of(&Material { k_facet: 0.0, ..Material::default() }) < all, "creases");
+        let damped = |zeta| {
+            let model = model(&pattern, &Material { zeta, ..Material::default() });
+            Traffic::of_dynamics(&model, &Dynamics::default()).bytes_per_step()
+        };
+        assert!(damped(0.0) < damped(0.45), "velocities");
+    }
+
+    #[test]
+    fn a_million_nodes_fit_into_the_default_bindings() {
+        let model = model(&miura(999, 999).expect("valid"), &Material::default());
+        for traffic in [Traffic::of_relax(&model), Traffic::of_dynamics(&model, &Dynamics::default())] {
+            let largest = traffic.buffers.iter().max_by_key(|buffer| buffer.bytes).expect("some");
+            assert!(largest.bytes <= wgpu::Limits::default().max_storage_buffer_binding_size, "{largest:?}");
+        }
+    }
+}

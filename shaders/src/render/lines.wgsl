@@ -3,21 +3,23 @@
 // A line lies on paper, and would be half swallowed by it where the paper slopes. So each of its points takes the depth of
 // its own faces there, a little nearer: just enough to win against them, and too little to win against a layer in front.
 
-// All but `place` is the same over the whole line.
+// All but `place` is the same over the whole line: what a fragment needs of the style is told too, since looking it up is
+// slow where it is done for every sample.
 struct Stroke {
     @builtin(position) position: vec4<f32>,
     // From the line's first end, in pixels: looked at in every sample, not only in the middle of the pixel.
     @location(0) @interpolate(linear, sample) place: vec2<f32>,
-    // The way to its other end in pixels; one over its square, or 0.
-    @location(1) @interpolate(flat) way: vec3<f32>,
-    // Depths at both ends.
-    @location(2) @interpolate(flat) ends: vec2<f32>,
-    // Of both faces: depth at the first end, and how it changes over a pixel to the right and down.
+    // The way to its other end in pixels; one over its square, or 0; the square of half the line's width.
+    @location(1) @interpolate(flat) way: vec4<f32>,
+    // Depths at both ends, already as much nearer as lines are than paper; how much nearer still a face may bring it.
+    @location(2) @interpolate(flat) ends: vec3<f32>,
+    // Of both faces: depth at the first end, as much nearer; how it changes over a pixel to the right and down.
     @location(3) @interpolate(flat) one: vec3<f32>,
     @location(4) @interpolate(flat) two: vec3<f32>,
-    // Along the chain at both ends, in radii.
-    @location(5) @interpolate(flat) along: vec2<f32>,
-    @location(6) @interpolate(flat) kind: u32,
+    @location(5) @interpolate(flat) colour: vec3<f32>,
+    // Along the chain at both ends, in radii; whether there are dashes.
+    @location(6) @interpolate(flat) along: vec3<f32>,
+    @location(7) @interpolate(flat) kind: u32,
 }
 
 // Farther than everything: a face that is not there.
@@ -54,7 +56,7 @@ fn plane_depth(plane: vec3<f32>, place: vec2<f32>) -> f32 {
 
 @vertex
 fn line_corner(@builtin(vertex_index) index: u32) -> Stroke {
-    let line = lines[index / 6u];
+    let line = lines[index / 4u];
     let a = corner(line.nodes.x);
     let b = corner(line.nodes.y);
     var out: Stroke;
@@ -64,7 +66,9 @@ fn line_corner(@builtin(vertex_index) index: u32) -> Stroke {
     }
     let way = b.place - a.place;
     let square = dot(way, way);
-    out.way = vec3<f32>(way, select(0.0, 1.0 / square, square > 0.0));
+    let style = frame.styles[line.kind];
+    let half = style.half_width;
+    out.way = vec4<f32>(way, select(0.0, 1.0 / square, square > 0.0), half * half);
     out.one = face_plane(line.triangles.x, a.place);
     out.two = face_plane(line.triangles.y, a.place);
     // The nearest of its faces at each end: layers are a part of their depths, not of the nodes'.
@@ -73,26 +77,30 @@ fn line_corner(@builtin(vertex_index) index: u32) -> Stroke {
         min(plane_depth(out.one, way), plane_depth(out.two, way)),
     );
     let own = vec2<f32>(a.depth, b.depth);
-    out.ends = max(min(nearest, own), own - frame.depth_of_radius);
-    out.along = line.along;
+    let ends = max(min(nearest, own), own - frame.depth_of_radius) - style.bias;
+    out.ends = vec3<f32>(ends, frame.steep * half * frame.depth_of_pixel);
+    // Where no face is, the ends tell.
+    let no_face = out.one.x == NO_FACE.x && out.two.x == NO_FACE.x;
+    out.ends.z = select(out.ends.z, 0.0, no_face);
+    out.one.x = select(out.one.x - style.bias, -NO_FACE.x, no_face);
+    out.two.x -= style.bias;
+    out.colour = style.colour;
+    out.along = vec3<f32>(line.along, style.on);
     out.kind = line.kind;
 
-    // A rectangle around it.
-    let reach = frame.styles[line.kind].half_width + 1.0;
+    // A rectangle around it, with room for what the adapter's grid rounds away.
+    let reach = half + 0.05;
     let forward = select(vec2<f32>(1.0, 0.0), way * inverseSqrt(square), square > 0.0);
     let sideways = vec2<f32>(-forward.y, forward.x);
-    let turn = array<u32, 6>(0u, 1u, 2u, 2u, 1u, 3u)[index % 6u];
-    let end = select(-reach * forward, way + reach * forward, (turn & 1u) == 1u);
-    out.place = end + select(-reach, reach, turn >= 2u) * sideways;
+    let end = select(-reach * forward, way + reach * forward, (index & 1u) == 1u);
+    out.place = end + select(-reach, reach, (index & 2u) == 2u) * sideways;
     out.position = in_tile(a.place + out.place, 0.5, 1.0);
     return out;
 }
 
 // Whether a dash covers this place along the chain.
-fn drawn(style: Style, along: f32) -> bool {
-    if (style.on == 0.0) {
-        return true;
-    }
+fn drawn(kind: u32, along: f32) -> bool {
+    let style = frame.styles[kind];
     // A chain begins in the middle of a dash.
     let period = style.on + style.off;
     let place = along + 0.5 * style.on;
@@ -107,17 +115,18 @@ struct Sample {
 
 @fragment
 fn line_colour(here: Stroke) -> Sample {
-    let style = frame.styles[here.kind];
     let share = clamp(dot(here.place, here.way.xy) * here.way.z, 0.0, 1.0);
     let off = here.place - share * here.way.xy;
-    if (dot(off, off) > style.half_width * style.half_width || !drawn(style, mix(here.along.x, here.along.y, share))) {
+    if (dot(off, off) > here.way.w) {
         discard;
     }
-    let own = mix(here.ends.x, here.ends.y, share);
-    var depth = min(plane_depth(here.one, here.place), plane_depth(here.two, here.place));
-    if (here.one.x == NO_FACE.x && here.two.x == NO_FACE.x) {
-        depth = own;
+    if (here.along.z > 0.0) {
+        if (!drawn(here.kind, mix(here.along.x, here.along.y, share))) {
+            discard;
+        }
     }
-    depth = max(depth, own - frame.steep * style.half_width * frame.depth_of_pixel) - style.bias;
-    return Sample(vec4<f32>(style.colour, 1.0), clamp(stored_depth(depth), 0.0, 1.0));
+    let own = mix(here.ends.x, here.ends.y, share);
+    let nearest = min(plane_depth(here.one, here.place), plane_depth(here.two, here.place));
+    let depth = max(nearest, own - here.ends.z);
+    return Sample(vec4<f32>(here.colour, 1.0), clamp(stored_depth(depth), 0.0, 1.0));
 }

@@ -16,7 +16,7 @@ use crate::device::Gpu;
 /// Directions all around in which a perspective camera looks for nodes: whatever lies between reaches beyond those found
 /// by 3 % of the sheet's radius at most (1 - cos of half the distance between two directions), less than the picture's
 /// margins.
-const AROUND: usize = 100;
+const AROUND: usize = 128;
 
 /// The kernel that finds them.
 #[derive(Debug)]

@@ -24,8 +24,8 @@
 
 mod extremes;
 mod layout;
-mod nodes;
 mod pipelines;
+mod places;
 mod resolve;
 mod scene;
 mod targets;
@@ -44,7 +44,7 @@ use crate::solver::OnModel;
 use extremes::Extremes;
 use pipelines::{Pipelines, Sampling};
 use resolve::Resolver;
-use scene::Uploaded;
+use scene::{Shot, Uploaded};
 use targets::Targets;
 
 /// Samples a side of the largest tile: 4 million samples' pixels, some 240 MB with four samples in each.
@@ -146,7 +146,7 @@ impl Renderer {
             let adapters = format!("the session is on another device than the renderer, {}", self.gpu.adapter());
             return Err(GpuError::Refused(adapters).into());
         }
-        let positions = nodes::positions(engine)?;
+        let positions = places::positions(engine)?;
         match view {
             Some(view) => self.draw_positions(picture, scene, view, &positions),
             None => {
@@ -167,7 +167,8 @@ impl Renderer {
     ) -> Result<Image, DrawError> {
         let mut image = Image::new(picture.width, picture.height, picture.theme.background)?;
         let (pipelines, factor) = self.sampling(picture.samples)?;
-        let uploaded = Uploaded::new(&self.gpu, pipelines, picture, scene, view, positions, factor)?;
+        let shot = Shot { picture, scene, view, factor };
+        let uploaded = Uploaded::new(&self.gpu, pipelines, &shot, positions)?;
         let tiles = tiles::Tiles::new(picture, self.tile, factor);
         let mut kept = self.targets.lock().unwrap_or_else(PoisonError::into_inner);
         let targets = Targets::at_least(&self.gpu, kept.take(), pipelines.sampling, tiles.largest())?;

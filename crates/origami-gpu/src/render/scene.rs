@@ -14,15 +14,31 @@ use crate::error::GpuError;
 /// Lines of the grid on which corners lie, a pixel of the picture: as on the processor.
 const GRID: f32 = 256.0;
 
+/// What is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shot<'a> {
+    pub(super) picture: &'a Picture,
+    /// It has been checked.
+    pub(super) scene: &'a Scene,
+    pub(super) view: &'a View,
+    /// Pixels a side that are drawn for each of the picture's.
+    pub(super) factor: u32,
+}
+
+/// Two triangles of four corners.
+const RECTANGLE: [u32; 6] = [0, 1, 2, 2, 1, 3];
+
 /// A scene on the GPU.
 #[derive(Debug)]
 pub(super) struct Uploaded {
     pub(super) bindings: wgpu::BindGroup,
     /// The part of the picture that is drawn next.
     pub(super) tile: wgpu::Buffer,
-    /// Corners of all triangles, and of the rectangles around all lines.
+    /// Corners of all triangles.
     pub(super) face_corners: u32,
+    /// Corners of the triangles that make up the rectangles around all lines: four corners each, of which two count twice.
     pub(super) line_corners: u32,
+    pub(super) line_indices: wgpu::Buffer,
     /// Linear light of the ground, and whether there is one; red, green, blue and alpha of a pixel that is bare.
     pub(super) ground: [f32; 3],
     pub(super) bare: [u8; 4],
@@ -31,23 +47,23 @@ pub(super) struct Uploaded {
 }
 
 impl Uploaded {
-    /// The scene has been checked.
+    /// With its nodes at `positions`.
     pub(super) fn new(
         gpu: &Gpu,
         pipelines: &Pipelines,
-        picture: &Picture,
-        scene: &Scene,
-        view: &View,
+        shot: &Shot<'_>,
         positions: &wgpu::Buffer,
-        factor: u32,
     ) -> Result<Self, GpuError> {
+        let Shot { picture, scene, view, factor } = *shot;
         let triangles = triangles(scene, view);
         let lines = lines(picture, scene);
         let counts = (corners(triangles.len(), 3)?, corners(lines.len(), 6)?);
+        let line_indices: Vec<u32> = (0..counts.1 / 6).flat_map(|i| RECTANGLE.map(|corner| 4 * i + corner)).collect();
         let (shares, table) = map(scene);
         for (what, size) in [
             ("the triangles", size_of_val(&triangles[..])),
             ("the lines", size_of_val(&lines[..])),
+            ("the corners of the lines", size_of_val(&line_indices[..])),
             ("the map", size_of_val(&shares[..])),
         ] {
             check_size(gpu, what, size)?;
@@ -57,8 +73,9 @@ impl Uploaded {
             let tile = buffer(gpu, &[Tile::default()], wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST);
             let storage = wgpu::BufferUsages::STORAGE;
             let uniform = wgpu::BufferUsages::UNIFORM;
+            let frame = buffer(gpu, &[frame(shot)], uniform);
             let buffers = [
-                &buffer(gpu, &[frame(picture, scene, view, factor)], uniform),
+                &frame,
                 &tile,
                 positions,
                 &buffer(gpu, &triangles, storage),
@@ -76,6 +93,7 @@ impl Uploaded {
                 tile,
                 face_corners: counts.0,
                 line_corners: counts.1,
+                line_indices: buffer(gpu, &line_indices, wgpu::BufferUsages::INDEX),
                 ground: background.map_or([0.0; 3], |colour| colour.linear()),
                 bare: background.map_or([0; 4], |colour| [colour.0, colour.1, colour.2, 255]),
                 factor,
@@ -120,7 +138,8 @@ fn corners(count: usize, each: u32) -> Result<u32, GpuError> {
     corners.ok_or(GpuError::TooManyElements { count: count as u64, allowed })
 }
 
-fn frame(picture: &Picture, scene: &Scene, view: &View, factor: u32) -> Frame {
+fn frame(shot: &Shot<'_>) -> Frame {
+    let Shot { picture, scene, view, factor } = *shot;
     let finer = factor as f32;
     let theme = &picture.theme;
     let mapped = match scene.map.as_ref().map(|map| &map.values) {
@@ -143,19 +162,20 @@ fn frame(picture: &Picture, scene: &Scene, view: &View, factor: u32) -> Frame {
         edge_on: single(EDGE_ON),
         steep: single(STEEP),
         unused: [0.0; 3],
-        styles: LineKind::ALL.map(|kind| line_style(picture, scene, view, kind, finer)),
+        styles: LineKind::ALL.map(|kind| line_style(shot, kind)),
     }
 }
 
 /// Widths in pixels of the finer picture; dashes are as long as so many pixels are at the middle of the sheet.
-fn line_style(picture: &Picture, scene: &Scene, view: &View, kind: LineKind, finer: f32) -> Style {
+fn line_style(shot: &Shot<'_>, kind: LineKind) -> Style {
+    let Shot { picture, scene, view, factor } = *shot;
     let (style, scale) = (style(picture, scene, kind), picture.line_scale());
     let dash = style.dash.map_or([0.0; 3], |dash| [dash.on, dash.off, dash.dot]);
     let [on, off, dot] = dash.map(|length| length * view.pixel * scale);
     let sensible = on > 0.0 && off > 0.0 && dot >= 0.0 && (on + off).is_finite();
     Style {
         colour: style.colour.linear(),
-        half_width: 0.5 * style.width * scale * finer,
+        half_width: 0.5 * style.width * scale * factor as f32,
         on: if sensible { on } else { 0.0 },
         off,
         dot_length: dot.min(off),

@@ -107,10 +107,13 @@ fn record(encoder: &mut wgpu::CommandEncoder, pipelines: &Pipelines, scene: &Upl
         ..Default::default()
     });
     pass.set_bind_group(0, &scene.bindings, &[]);
-    for (pipeline, corners) in [(&pipelines.faces, scene.face_corners), (&pipelines.lines, scene.line_corners)] {
-        if corners > 0 {
-            pass.set_pipeline(pipeline);
-            pass.draw(0..corners, 0..1);
-        }
+    if scene.face_corners > 0 {
+        pass.set_pipeline(&pipelines.faces);
+        pass.draw(0..scene.face_corners, 0..1);
+    }
+    if scene.line_corners > 0 {
+        pass.set_pipeline(&pipelines.lines);
+        pass.set_index_buffer(scene.line_indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..scene.line_corners, 0, 0..1);
     }
 }

@@ -17,7 +17,6 @@ fn tiles_equal_one_piece() {
         let (is, should_be) = (tiled.draw(&picture, &scene).unwrap(), whole.draw(&picture, &scene).unwrap());
         // Rounding of depths where a line and a face are equally near.
         let differ = is.pixels.iter().zip(&should_be.pixels).filter(|(a, b)| a.abs_diff(**b) > 1).count();
-        println!("tiles of {tile}: {differ} values differ");
         assert!(differ < is.pixels.len() / 2000, "{differ} of {}", is.pixels.len());
         check(&format!("tiles-{tile}"), &is, &should_be);
     }

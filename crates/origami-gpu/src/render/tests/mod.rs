@@ -55,7 +55,6 @@ fn write(name: &str, image: &Image) {
 /// [`folder`]; with `ORIGAMI_KEEP_PICTURES` they always are.
 fn check(name: &str, is: &Image, should_be: &Image) {
     let (difference, shown) = compare(is, should_be).unwrap();
-    println!("{name}: mean {:.3}, block {:.2}", difference.mean, difference.block);
     let fails = !difference.within(&TOLERANCE);
     if fails || std::env::var_os("ORIGAMI_KEEP_PICTURES").is_some() {
         for (what, image) in [("is", is), ("should-be", should_be), ("difference", &shown)] {

@@ -79,6 +79,46 @@ fn increments_and_relax_lead_to_the_same_equilibrium() {
 }
 
 #[test]
+fn frustrated_sheets_end_in_minima_or_where_the_model_ends() {
+    let mut minima = 0;
+    for name in ["miura", "waterbomb", "bird-base", "crane", "yoshimura"] {
+        let mut pattern = catalog::generate(name, &[]).expect("default parameters");
+        // An assignment that cannot fold: every third crease the other way.
+        for edge in pattern.edges.iter_mut().step_by(3) {
+            edge.fold_angle = edge.fold_angle.map(|angle| -angle);
+        }
+        let model = model(&pattern);
+        let near = fold(&model, &Relax { max_steps: 20_000, ..Relax::default() }, 100.0).state;
+        let flat = State { targets: model.targets(100.0), ..State::perturbed(&model, 3e-3, 0) };
+        for (way, start) in [("after relax", near), ("in a jump", flat)] {
+            let exact = Newton { max_factorisations: 600, ..Newton::default() }.refine(&model, &start);
+            let exact = exact.expect("fits into memory");
+            let scene = format!("{name} {way}: {} after {}", exact.residual, exact.factorisations);
+            let (before, after) = (energy(&model, &start), energy(&model, &exact.state));
+            assert!(after <= before + 1e-12 && after > 1e-3, "{scene}: {before} {after}");
+            if exact.converged {
+                minima += 1;
+                assert!(exact.stability.is_some_and(|s| s.negative == 0), "{scene}: {:?}", exact.stability);
+            } else {
+                // A triangle has collapsed: forces grow without bound there, and there is no equilibrium.
+                assert!(smallest_area(&model, &exact.state) < 1e-5, "{scene}");
+                assert!(exact.distance.is_infinite() && exact.residual > 1e-3, "{scene}");
+            }
+        }
+    }
+    assert!(minima >= 8, "{minima} of 10");
+}
+
+/// Twice the area of the smallest triangle.
+fn smallest_area(model: &Model, state: &State) -> f64 {
+    let areas = model.mesh.triangles.iter().map(|triangle| {
+        let [a, b, c] = triangle.map(|n| state.positions[n.index()]);
+        (b - a).cross(c - a).length()
+    });
+    areas.fold(f64::INFINITY, f64::min)
+}
+
+#[test]
 fn saddles_are_recognised_and_left() {
     let mut left = 0;
     for (name, percent) in [("fan", 60.0), ("fan", 100.0), ("curved-pleat", 60.0), ("curved-pleat", 100.0)] {

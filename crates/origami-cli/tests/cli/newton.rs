@@ -25,9 +25,9 @@ mod present {
     #[test]
     fn it_goes_on_from_relax_to_the_equilibrium() {
         let place = Place::new();
-        place.run("pattern bird-base -o square.fold").succeeds();
-        let loose = report(&place, "--percent 60 --tolerance 1e-2");
-        let exact = report(&place, "--percent 60 --tolerance 1e-2 --solver newton");
+        place.run("pattern miura -o square.fold").succeeds();
+        let loose = report(&place, "--percent 60 --tolerance 1e-3");
+        let exact = report(&place, "--percent 60 --tolerance 1e-3 --solver newton");
         assert_eq!((&exact["solver"], &exact["backend"]), (&json!("newton"), &json!("cpu")));
         assert_eq!(exact["stop"], json!("converged"));
         let number = |report: &Value, key: &str| report[key].as_f64().unwrap();
@@ -36,7 +36,7 @@ mod present {
         assert!(number(&exact, "steps") > number(&loose, "steps"));
         let left_out = exact["left_out"].as_array().unwrap();
         assert!(left_out.iter().any(|group| group["what"] == json!("damping")));
-        let weaker = report(&place, "--percent 60 --tolerance 1e-2 --solver newton --residual 1e-3");
+        let weaker = report(&place, "--percent 60 --tolerance 1e-3 --solver newton --residual 1e-2");
         assert!(number(&weaker, "steps") < number(&exact, "steps"));
     }
 

@@ -36,8 +36,10 @@ const HALVINGS: u32 = 3;
 const DROWNED: f64 = 1e-8;
 /// Rounding of a force, as a share of the row sum: below it a residual need not fall any more.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// What counts as an eigenvalue of 0, as a share of the row sums.
+/// What counts as an eigenvalue of 0, as a share of the row sums, where forces vanish.
 const NEUTRAL: f64 = 1e-11;
+/// Under forces a rotation has one of about their share of the row sums: so many times that counts as 0 too.
+const TURNED: f64 = 10.0;
 /// Rounds of inverse iteration towards the lowest mode.
 const ROUNDS: u32 = 30;
 
@@ -188,7 +190,7 @@ impl<'m> Descent<'m> {
         self.matrix.gather(right, &mut self.column);
         self.factor.solve(&mut self.column);
         self.matrix.scatter(&self.column, &mut self.step);
-        self.rigid.remove(&state.positions, &mut self.step);
+        self.rigid.remove(&state.positions, self.matrix.row_sums(), &mut self.step);
     }
 
     /// Moves `state` by the step or a part of it, if one leads down far enough, and adapts the shift.
@@ -228,21 +230,26 @@ impl<'m> Descent<'m> {
     }
 
     /// Which directions cost energy at `state`.
-    pub(super) fn stability(&mut self, state: &State) -> Option<Stability> {
+    pub(super) fn stability(&mut self, state: &State, now: &Measured) -> Option<Stability> {
         if self.matrix.size() == 0 {
             return Some(Stability { negative: 0, neutral: 0 });
         }
         self.matrix.assemble(state);
-        let negative = self.factorise(NEUTRAL)?;
-        let below = self.factorise(-NEUTRAL)?;
+        let threshold = self.threshold(now);
+        let negative = self.factorise(threshold)?;
+        let below = self.factorise(-threshold)?;
         Some(Stability { negative, neutral: below.saturating_sub(negative) })
+    }
+
+    fn threshold(&self, now: &Measured) -> f64 {
+        NEUTRAL.max(TURNED * now.residual / self.matrix.least_weight())
     }
 
     /// Leaves a saddle along its lowest mode, to the side and as far as the energy falls most; false where it does not.
     pub(super) fn escape(&mut self, state: &mut State, limit: u32) -> bool {
         let now = self.measure(state);
         self.matrix.assemble(state);
-        let mut shift = NEUTRAL;
+        let mut shift = self.threshold(&now);
         while self.factorise(shift) != Some(0) {
             shift *= RAISE;
             if shift > LARGEST || self.factorisations >= limit {

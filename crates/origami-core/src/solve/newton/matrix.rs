@@ -102,9 +102,19 @@ impl<'m> Matrix<'m> {
         each.sum()
     }
 
+    /// The weights by node, those of fixed ones included.
+    pub(super) fn row_sums(&self) -> &[f64] {
+        &self.row_sums
+    }
+
     /// The largest weight.
     pub(super) fn largest_weight(&self) -> f64 {
         self.weights.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The smallest weight.
+    pub(super) fn least_weight(&self) -> f64 {
+        self.weights.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
     /// The weights on `v`, by node.

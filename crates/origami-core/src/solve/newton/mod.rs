@@ -70,7 +70,7 @@ pub struct Equilibrium {
     pub converged: bool,
     /// Largest force on a node, in the model's unit of force.
     pub residual: f64,
-    /// How far a node would move in one more step, in radii of the sheet; infinite where there is none.
+    /// How far a node would move in one more step, in radii of the sheet; infinite where it has not converged.
     pub distance: f64,
     /// Factorisations, those that did not help included.
     pub factorisations: u32,
@@ -102,10 +102,12 @@ impl Newton {
     }
 
     /// Which directions cost energy at `state`; `None` where the factors do not fit into memory or one of them failed.
-    /// At an equilibrium it tells a minimum from a saddle.
+    /// At an equilibrium it tells a minimum from a saddle; the larger the forces are, the more counts as neutral.
     #[must_use]
     pub fn stability(model: &Model, state: &State) -> Option<Stability> {
-        Descent::new(model)?.stability(state)
+        let mut descent = Descent::new(model)?;
+        let now = descent.measure(&mut state.clone());
+        descent.stability(state, &now)
     }
 
     fn settle(&self, descent: &mut Descent<'_>, mut state: State, observe: &mut dyn FnMut(u64, f64)) -> Equilibrium {
@@ -113,7 +115,7 @@ impl Newton {
         let mut escapes = 0;
         let (end, measured, stability) = loop {
             let (end, measured) = descent.descend(&mut state, self.residual, limit, observe);
-            let stability = descent.stability(&state);
+            let stability = descent.stability(&state, &measured);
             let saddle = stability.is_some_and(|stability| stability.negative > 0);
             if end != End::Settled || !saddle || escapes >= ESCAPES || !descent.escape(&mut state, limit) {
                 break (end, measured, stability);
@@ -122,7 +124,7 @@ impl Newton {
         };
         state.velocities.fill(DVec3::ZERO);
         Equilibrium {
-            distance: descent.distance(&state, &measured),
+            distance: if end == End::Settled { descent.distance(&state, &measured) } else { f64::INFINITY },
             converged: end == End::Settled,
             residual: measured.residual,
             factorisations: descent.factorisations,

@@ -30,17 +30,20 @@ impl Rigid {
         Self { parts }
     }
 
-    /// Takes the rigid motion of least squares out of `moves`, part by part.
-    pub(super) fn remove(&self, positions: &[DVec3], moves: &mut [DVec3]) {
+    /// Takes the rigid motion of least squares out of `moves`, part by part. Nodes count by the weights with which a shift
+    /// holds them back: else a stiff node, which hardly moves, would be moved by what is taken from the others.
+    pub(super) fn remove(&self, positions: &[DVec3], weights: &[f64], moves: &mut [DVec3]) {
         for part in &self.parts {
-            let mean = |of: &[DVec3]| part.iter().map(|n| of[*n]).sum::<DVec3>() / part.len() as f64;
+            let total: f64 = part.iter().map(|n| weights[*n]).sum();
+            let mean = |of: &[DVec3]| part.iter().map(|n| of[*n] * weights[*n]).sum::<DVec3>() / total;
             let (centre, shift) = (mean(positions), mean(moves));
             let (mut inertia, mut moment) = (DMat3::ZERO, DVec3::ZERO);
             for n in part {
                 let arm = positions[*n] - centre;
-                inertia += DMat3::from_diagonal(DVec3::splat(arm.length_squared()))
-                    - DMat3::from_cols(arm * arm.x, arm * arm.y, arm * arm.z);
-                moment += arm.cross(moves[*n] - shift);
+                let square = DMat3::from_cols(arm * arm.x, arm * arm.y, arm * arm.z);
+                let around = DMat3::from_diagonal(DVec3::splat(arm.length_squared())) - square;
+                inertia += around * (weights[*n] / total);
+                moment += arm.cross(moves[*n] - shift) * (weights[*n] / total);
             }
             // Points on one line have no inertia about it: they are turned by nothing.
             let turn = inertia.inverse_or_zero() * moment;
@@ -72,12 +75,15 @@ mod tests {
         let rigid = Rigid::new(&model);
         let turn = DVec3::new(0.3, -1.0, 0.4);
         let mut moves: Vec<DVec3> = model.rest.iter().map(|p| DVec3::X + turn.cross(*p)).collect();
-        rigid.remove(&model.rest, &mut moves);
+        let weights: Vec<f64> = (1..=model.node_count()).map(|i| i as f64).collect();
+        rigid.remove(&model.rest, &weights, &mut moves);
         assert!(moves.iter().all(|m| m.length() < 1e-14));
         let mut dent = vec![DVec3::ZERO; model.node_count()];
         dent[5] = DVec3::Z;
-        rigid.remove(&model.rest, &mut dent);
+        rigid.remove(&model.rest, &weights, &mut dent);
         assert!(dent[5].z > 0.5, "{}", dent[5]);
+        let momentum: DVec3 = dent.iter().zip(&weights).map(|(d, w)| *d * *w).sum();
+        assert!(momentum.length() < 1e-13, "{momentum}");
     }
 
     #[test]
@@ -85,7 +91,7 @@ mod tests {
         let mut model = Model::new(&miura(3, 3).expect("valid"), &Material::default()).expect("valid");
         model.fixed.push(crate::ids::NodeId(0));
         let mut moves = vec![DVec3::X; model.node_count()];
-        Rigid::new(&model).remove(&model.rest, &mut moves);
+        Rigid::new(&model).remove(&model.rest, &vec![1.0; model.node_count()], &mut moves);
         assert_eq!(moves, vec![DVec3::X; model.node_count()]);
     }
 }

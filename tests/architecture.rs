@@ -24,7 +24,7 @@ const MAY_USE: [(&str, &[&str]); 11] = [
 ];
 
 /// Where the core's root re-exports its most used names from.
-const REEXPORTS: [(&str, &str); 10] = [
+const REEXPORTS: [(&str, &str); 11] = [
     ("Error", "error"),
     ("Warning", "error"),
     ("Material", "model"),
@@ -32,6 +32,7 @@ const REEXPORTS: [(&str, &str); 10] = [
     ("CreasePattern", "pattern"),
     ("Dynamics", "solve"),
     ("Folded", "solve"),
+    ("Newton", "solve"),
     ("Relax", "solve"),
     ("Solver", "solve"),
     ("State", "solve"),

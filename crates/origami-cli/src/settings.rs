@@ -1,6 +1,8 @@
 //! From the command line to what the library wants.
 
 use origami::model::Material;
+#[cfg(feature = "newton")]
+use origami::solve::Newton;
 use origami::solve::{Dynamics, Integrator, Relax, TimeStep, frame_percents, time_step};
 
 use crate::args::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, SolverName, SolvingArgs, SweepArgs};
@@ -44,7 +46,7 @@ impl Settings {
             animated: args.frames.is_some(),
             material: args.material.material(),
             solver_name: solving.solver,
-            method: method(solving, args.perturbation),
+            method: method(solving, args.perturbation)?,
             backend: backend(solving)?,
             tolerance: solving.tolerance,
             time_step,
@@ -60,7 +62,7 @@ impl Settings {
     /// The length of the first step; relaxations have none that can be told beforehand.
     pub(crate) fn first_time_step(&self, model: &origami::model::Model) -> Option<f64> {
         match (self.solver_name, self.time_step) {
-            (SolverName::Relax, _) => None,
+            (SolverName::Relax | SolverName::Newton, _) => None,
             (SolverName::Dynamics, TimeStep::Paper) => Some(time_step::paper(model)),
             (SolverName::Dynamics, TimeStep::Safe) => Some(time_step::safe(model, &model.rest, self.integrator)),
             (SolverName::Dynamics, TimeStep::Fixed(dt)) => Some(dt),
@@ -69,20 +71,37 @@ impl Settings {
 }
 
 /// What folds.
-pub(crate) fn method(solving: &SolvingArgs, perturbation: Option<f64>) -> Method {
+///
+/// # Errors
+/// What this build cannot do.
+pub(crate) fn method(solving: &SolvingArgs, perturbation: Option<f64>) -> Result<Method, String> {
     let (tolerance, max_steps, steps) = (solving.tolerance, solving.max_steps, solving.steps);
+    let mut relax = Relax { tolerance, ramp: solving.ramp, max_steps, steps, ..Relax::default() };
+    relax.perturbation = perturbation.unwrap_or(relax.perturbation);
     match solving.solver {
-        SolverName::Relax => {
-            let mut relax = Relax { tolerance, ramp: solving.ramp, max_steps, steps, ..Relax::default() };
-            relax.perturbation = perturbation.unwrap_or(relax.perturbation);
-            Method::Relax(relax)
-        }
+        SolverName::Relax => Ok(Method::Relax(relax)),
         SolverName::Dynamics => {
             let ramp = solving.ramp.unwrap_or(0);
             let (time_step, integrator) = (solving.time_step(), solving.integrator());
-            Method::Dynamics(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps })
+            Ok(Method::Dynamics(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps }))
         }
+        SolverName::Newton => newton(Relax { steps: None, ..relax }, solving.residual),
     }
+}
+
+/// Newton's method after `relax`.
+#[cfg(feature = "newton")]
+#[expect(clippy::unnecessary_wraps, reason = "a build without it has none")]
+fn newton(relax: Relax, residual: Option<f64>) -> Result<Method, String> {
+    let newton = Newton { relax: Some(relax), ..Newton::default() };
+    Ok(Method::Newton(Newton { residual: residual.unwrap_or(newton.residual), ..newton }))
+}
+
+#[cfg(not(feature = "newton"))]
+fn newton(_relax: Relax, _residual: Option<f64>) -> Result<Method, String> {
+    Err("--solver newton: this build is without it (feature `newton`); expected relax or dynamics, or a build without \
+         --no-default-features or with --features newton"
+        .to_owned())
 }
 
 /// Where.
@@ -90,13 +109,16 @@ pub(crate) fn method(solving: &SolvingArgs, perturbation: Option<f64>) -> Method
 /// # Errors
 /// What this build or this machine cannot do.
 pub(crate) fn backend(solving: &SolvingArgs) -> Result<Backend, String> {
+    if solving.solver == SolverName::Newton && solving.backend == BackendName::Gpu {
+        return Err("--backend gpu: newton runs on the processor; expected auto or cpu".to_owned());
+    }
     Backend::new(solving.backend, solving.adapter.as_deref())
 }
 
 /// What may help against divergence.
 pub(crate) fn advice(solver: SolverName, time_step: TimeStep) -> &'static str {
     match (solver, time_step) {
-        (SolverName::Relax, _) => "stiffnesses nearer to the defaults or a longer --ramp may hold",
+        (SolverName::Relax | SolverName::Newton, _) => "stiffnesses nearer to the defaults or a longer --ramp may hold",
         (SolverName::Dynamics, TimeStep::Safe) => "a smaller --time-step may hold",
         (SolverName::Dynamics, _) => "--time-step safe or a smaller one may hold",
     }
@@ -136,18 +158,23 @@ fn past_the_angles(percents: &[f64]) -> Vec<String> {
 }
 
 fn without_effect(solving: &SolvingArgs, zeta: bool, perturbation: bool) -> Vec<String> {
+    use SolverName::{Dynamics, Newton, Relax};
     let given = [
-        ("--time-step", SolverName::Dynamics, solving.time_step.is_some()),
-        ("--integrator", SolverName::Dynamics, solving.integrator.is_some()),
-        ("--zeta", SolverName::Dynamics, zeta),
-        ("--perturbation", SolverName::Relax, perturbation),
+        ("--time-step", &[Dynamics][..], solving.time_step.is_some()),
+        ("--integrator", &[Dynamics], solving.integrator.is_some()),
+        ("--zeta", &[Dynamics], zeta),
+        ("--perturbation", &[Relax, Newton], perturbation),
+        ("--steps", &[Relax, Dynamics], solving.steps.is_some()),
+        ("--residual", &[Newton], solving.residual.is_some()),
     ];
-    let given = given.iter().filter(|(_, solver, given)| *given && *solver != solving.solver);
+    let given = given.iter().filter(|(_, solvers, given)| *given && !solvers.contains(&solving.solver));
     let mut oddities: Vec<String> =
         given.map(|(name, ..)| format!("{name} has no effect with --solver {}", solving.solver.name())).collect();
     // What the environment names is meant for other runs.
     let named = solving.adapter.is_some() && solving.adapter != std::env::var(ADAPTER_VARIABLE).ok();
-    if named && solving.backend == BackendName::Cpu {
+    if named && solving.solver == Newton {
+        oddities.push("--adapter has no effect with --solver newton".to_owned());
+    } else if named && solving.backend == BackendName::Cpu {
         oddities.push("--adapter has no effect with --backend cpu".to_owned());
     } else if named && cfg!(not(feature = "gpu")) {
         oddities.push("--adapter has no effect in a build without the feature `gpu`".to_owned());

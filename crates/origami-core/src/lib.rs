@@ -21,4 +21,6 @@ pub use error::{Error, Warning};
 pub use glam;
 pub use model::{Material, Model};
 pub use pattern::CreasePattern;
+#[cfg(feature = "newton")]
+pub use solve::Newton;
 pub use solve::{Dynamics, Folded, Relax, Solver, State};

@@ -88,7 +88,8 @@ pub(crate) struct FoldArgs {
 
     /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.003]
     ///
-    /// A symmetric sheet would else stay on the saddle between two ways to buckle. Larger: saddles are left sooner.
+    /// A symmetric sheet would else stay on the saddle between two ways to buckle. Larger: saddles are left sooner. So too
+    /// with newton, which begins with relax.
     #[arg(long, value_name = "X", value_parser = share, help_heading = "Solver")]
     pub(crate) perturbation: Option<f64>,
 
@@ -116,8 +117,14 @@ pub(crate) struct SolvingArgs {
     pub(crate) solver: SolverName,
 
     /// Distance from the equilibrium at which to stop, in units of the sheet's radius
+    ///
+    /// With newton: at which relax hands over to it.
     #[arg(long, value_name = "T", value_parser = positive, default_value_t = DEFAULT_TOLERANCE)]
     pub(crate) tolerance: f64,
+
+    /// Largest force on a vertex at which newton stops, in the model's unit of force [default: 1e-10]
+    #[arg(long, value_name = "F", value_parser = positive)]
+    pub(crate) residual: Option<f64>,
 
     /// Steps after which to give up, for each stage; all its attempts together
     #[arg(long, value_name = "N", default_value_t = DEFAULT_MAX_STEPS)]
@@ -162,6 +169,8 @@ pub(crate) enum SolverName {
     Relax,
     /// The paper's motion through time; slow to converge
     Dynamics,
+    /// Relax, then Newton's method to the equilibrium itself: what errors are measured against
+    Newton,
 }
 
 impl SolverName {
@@ -170,6 +179,7 @@ impl SolverName {
         match self {
             Self::Relax => "relax",
             Self::Dynamics => "dynamics",
+            Self::Newton => "newton",
         }
     }
 }
@@ -195,6 +205,15 @@ mod tests {
         let help = definition.get_arguments().find(|a| a.get_id() == "perturbation").and_then(|a| a.get_help());
         let default = format!("[default: {}]", Relax::default().perturbation);
         assert!(help.expect("perturbation has a help text").to_string().ends_with(&default));
+    }
+
+    #[cfg(feature = "newton")]
+    #[test]
+    fn the_text_tells_the_default_of_residual() {
+        let definition = FoldArgs::augment_args(clap::Command::new("test"));
+        let help = definition.get_arguments().find(|a| a.get_id() == "residual").and_then(|a| a.get_help());
+        let default = format!("[default: {:e}]", origami::Newton::default().residual);
+        assert!(help.expect("residual has a help text").to_string().ends_with(&default));
     }
 
     #[cfg(feature = "gpu")]

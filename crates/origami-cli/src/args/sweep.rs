@@ -89,7 +89,7 @@ pub(crate) struct SweepArgs {
     pub(crate) solving: SolvingArgs,
 
     /// How far each vertex is moved at the start, as a share of its shortest beam; 0 is not at all [default: relax
-    /// 0.003, dynamics 0]
+    /// and newton 0.003, dynamics 0]
     ///
     /// Nothing is moved where nothing is to be folded.
     #[arg(long, value_name = "LIST", value_parser = |text: &str| List::parse(text, share), help_heading = "Solver")]
@@ -159,7 +159,7 @@ impl SweepArgs {
     /// That of `origami fold`.
     fn default_perturbation(&self) -> f64 {
         match self.solving.solver {
-            SolverName::Relax => Relax::default().perturbation,
+            SolverName::Relax | SolverName::Newton => Relax::default().perturbation,
             SolverName::Dynamics => 0.0,
         }
     }
@@ -179,7 +179,7 @@ mod tests {
         let definition = SweepArgs::augment_args(clap::Command::new("test"));
         for (name, default) in [
             ("zeta", format!("[default: {}]", Material::default().zeta)),
-            ("perturbation", format!("[default: relax {}, dynamics 0]", Relax::default().perturbation)),
+            ("perturbation", format!("[default: relax and newton {}, dynamics 0]", Relax::default().perturbation)),
         ] {
             let help = definition.get_arguments().find(|a| a.get_id() == name).and_then(|a| a.get_help());
             assert!(help.expect("a help text").to_string().ends_with(&default), "{name}");

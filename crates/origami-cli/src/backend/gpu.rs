@@ -74,6 +74,8 @@ fn on_gpu(gpu: &Gpu, method: &Method) -> Place {
     let solver: Box<dyn Solver> = match method {
         Method::Relax(relax) => Box::new(gpu.with(relax.clone())),
         Method::Dynamics(dynamics) => Box::new(gpu.with(dynamics.clone())),
+        #[cfg(feature = "newton")]
+        Method::Newton(_) => return Place::processor(method),
     };
     Place { solver, adapter: Some(Adapter::from(gpu.adapter())), warning: None }
 }

@@ -11,6 +11,8 @@ pub(crate) use absent::{Backend, adapters, none};
 pub(crate) use gpu::{Backend, adapters, none};
 
 use origami::Warning;
+#[cfg(feature = "newton")]
+use origami::solve::Newton;
 use origami::solve::{Dynamics, Relax, Solver};
 
 use crate::report::Adapter;
@@ -19,6 +21,20 @@ use crate::report::Adapter;
 pub(crate) enum Method {
     Relax(Relax),
     Dynamics(Dynamics),
+    #[cfg(feature = "newton")]
+    Newton(Newton),
+}
+
+impl Method {
+    /// On the processor.
+    fn solver(&self) -> Box<dyn Solver> {
+        match self {
+            Self::Relax(relax) => Box::new(relax.clone()),
+            Self::Dynamics(dynamics) => Box::new(dynamics.clone()),
+            #[cfg(feature = "newton")]
+            Self::Newton(newton) => Box::new(newton.clone()),
+        }
+    }
 }
 
 /// Where one sheet is folded.
@@ -33,10 +49,6 @@ pub(crate) struct Place {
 
 impl Place {
     fn processor(method: &Method) -> Self {
-        let solver: Box<dyn Solver> = match method {
-            Method::Relax(relax) => Box::new(relax.clone()),
-            Method::Dynamics(dynamics) => Box::new(dynamics.clone()),
-        };
-        Self { solver, adapter: None, warning: None }
+        Self { solver: method.solver(), adapter: None, warning: None }
     }
 }

@@ -33,7 +33,7 @@ pub(crate) enum Report {
 pub(crate) struct Run {
     /// As named on the command line.
     pub(crate) input: String,
-    /// `relax` or `dynamics`.
+    /// `relax`, `dynamics` or `newton`.
     pub(crate) solver: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,

@@ -15,7 +15,7 @@ use super::{Adapter, Divergence, Measured, Scene, Seconds};
 pub(crate) struct Table {
     /// As named on the command line.
     pub(crate) input: String,
-    /// `relax` or `dynamics`.
+    /// `relax`, `dynamics` or `newton`.
     pub(crate) solver: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,

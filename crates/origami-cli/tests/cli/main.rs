@@ -7,6 +7,7 @@ mod gpu;
 mod help;
 mod info;
 mod mutations;
+mod newton;
 mod pattern;
 mod place;
 mod report;

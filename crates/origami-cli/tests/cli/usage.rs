@@ -19,7 +19,8 @@ fn bad_usage_is_1_and_names_what_is_wrong() {
         ("fold square.fold -o a.fold --time-step soon", "`paper`, `safe` or a finite number"),
         ("fold square.fold -o a.fold --time-step -1", "`paper`, `safe` or a finite number"),
         ("fold square.fold -o a.fold --integrator leapfrog", "euler, verlet"),
-        ("fold square.fold -o a.fold --solver magic", "relax, dynamics"),
+        ("fold square.fold -o a.fold --solver magic", "relax, dynamics, newton"),
+        ("fold square.fold -o a.fold --solver newton --residual 0", "greater than 0"),
         ("fold square.fold -o a.fold --steps -3", "-3"),
         ("fold square.fold -o a.fold --frames 0", "0 is not in 1..=100000"),
         ("fold square.fold -o a.fold --threads 0", "--threads"),
@@ -74,6 +75,8 @@ fn options_without_effect_are_told() {
     place.run("fold square.fold -o a.fold --solver dynamics --zeta 0.1").succeeds();
     let ran = place.run("fold square.fold -o a.fold --solver dynamics --perturbation 0.1");
     assert_eq!(ran.stderr, "warning: --perturbation has no effect with --solver dynamics\n");
+    let ran = place.run("fold square.fold -o a.fold --residual 1e-9");
+    assert_eq!(ran.stderr, "warning: --residual has no effect with --solver relax\n");
     let ran = place.run("fold square.fold -o a.fold --backend cpu --adapter llvmpipe");
     assert_eq!(ran.stderr, "warning: --adapter has no effect with --backend cpu\n");
     let words = "fold square.fold -o a.fold --backend cpu".split(' ');

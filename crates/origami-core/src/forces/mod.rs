@@ -9,6 +9,7 @@ pub mod corner_angles;
 pub mod creases;
 pub mod damping;
 mod energy;
+pub mod hessian;
 
 pub use angle::unwrapped;
 pub use energy::Energy;

@@ -8,6 +8,8 @@ mod ensemble;
 mod failed;
 pub mod fire;
 pub mod guard;
+#[cfg(feature = "newton")]
+pub mod newton;
 mod path;
 mod perturb;
 mod ramp;
@@ -23,6 +25,8 @@ pub use dynamics::{Dynamics, Integrator};
 pub use ensemble::Instance;
 pub use failed::Failed;
 pub use guard::{Diverged, Quantity};
+#[cfg(feature = "newton")]
+pub use newton::Newton;
 pub use path::{PathFailed, fold_path, frame_percents};
 pub use relax::{Relax, default_ramp};
 pub use session::Session;

@@ -122,7 +122,7 @@ fn attempt(
     told.summary = Some(summary::line(&run));
     let limited = states.iter().find(|folded| folded.stop == Stop::StepLimit);
     if let Some(folded) = limited {
-        told.errors.push(summary::not_converged(input, folded, settings.tolerance));
+        told.errors.push(summary::not_converged(input, folded, settings.solver_name, settings.tolerance));
     }
     Ok((if limited.is_some() { Exit::NotConverged } else { Exit::Done }, Report::Folded(Box::new(run))))
 }

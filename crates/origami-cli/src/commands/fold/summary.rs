@@ -5,6 +5,7 @@ use std::time::Duration;
 use origami::Warning;
 use origami::solve::Folded;
 
+use crate::args::SolverName;
 use crate::files::Input;
 use crate::numbers::{count, duration, grouped, plain, share, short};
 use crate::report::{Ending, Run};
@@ -54,7 +55,16 @@ pub(super) fn line(run: &Run) -> String {
 }
 
 /// The step limit came first.
-pub(super) fn not_converged(input: &Input, folded: &Folded, tolerance: f64) -> String {
+pub(super) fn not_converged(input: &Input, folded: &Folded, solver: SolverName, tolerance: f64) -> String {
+    if solver == SolverName::Newton {
+        return format!(
+            "{input}: not converged at {} % after {} steps: the largest force is {}; the output says so; \
+             a larger --residual or more --max-steps may help",
+            plain(folded.percent),
+            grouped(folded.steps),
+            short(folded.residual),
+        );
+    }
     let distance = match folded.distance {
         d if d.is_finite() => format!("about {} of the radius from the equilibrium", short(d)),
         _ => "an unknown distance from the equilibrium".to_owned(),

@@ -24,7 +24,7 @@ use summary::Counts;
 /// Folds all sheets and writes the tables.
 pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     // The perturbation comes with the instances.
-    let method = settings::method(&args.solving, Some(0.0));
+    let method = settings::method(&args.solving, Some(0.0))?;
     let backend = settings::backend(&args.solving)?;
     let (sweep, count) = args.sweep()?;
     let input = Input::new(&args.input);

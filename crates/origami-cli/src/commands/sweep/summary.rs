@@ -83,6 +83,10 @@ impl Counts {
         complain(self.failed, Ending::Failed, "failed", &|row| row.error.clone().unwrap_or_default());
         complain(self.diverged, Ending::Diverged, "diverged", &|_| format!("{why}; {advice}"));
         complain(self.step_limit, Ending::StepLimit, "not converged", &|row| {
+            if table.solver == "newton" {
+                let force = row.measured.residual.map_or_else(|| "not known".to_owned(), short);
+                return format!("the largest force is {force}; a larger --residual or more --max-steps may help");
+            }
             let distance = match row.measured.distance {
                 Some(d) if d.is_finite() => format!("about {} of the radius from the equilibrium", short(d)),
                 _ => "an unknown distance from the equilibrium".to_owned(),

@@ -18,9 +18,15 @@
 //! With the feature `gpu` (off by default) the module `gpu` computes both solvers on a graphics card: `Gpu::open` takes an
 //! adapter, and `gpu.with(Relax::default())` is a [`Solver`] like any other.
 //!
+//! With the feature `render` (off by default) the module `picture` draws folded sheets on the processor, and with both
+//! features `gpu::render` draws the same pictures on a graphics card.
+//!
 //! This crate is a facade: everything is `origami_core`'s, and `origami_gpu`'s in `gpu`. Errors name the place in the file ([`Error`]); what was odd but
 //! could be put right is among the pattern's [`warnings`](CreasePattern::warnings). Equal input gives equal bits.
 pub use origami_core::*;
 /// The solvers on a GPU, through wgpu.
 #[cfg(feature = "gpu")]
 pub use origami_gpu as gpu;
+/// Pictures of folded sheets.
+#[cfg(feature = "render")]
+pub use origami_picture as picture;

@@ -95,3 +95,22 @@ pub mod paper {
         POSITIONS = "paper/positions.wgsl";
     }
 }
+
+/// Pictures. The sheet and its lines are [`render::SCENE`] and one of the two; [`render::PLACES`] comes after [`STATE`].
+#[cfg(feature = "render")]
+pub mod render {
+    shaders! {
+        /// What the sheet and its lines have in common.
+        SCENE = "render/scene.wgsl";
+        /// The paper.
+        FACES = "render/faces.wgsl";
+        /// Lines.
+        LINES = "render/lines.wgsl";
+        /// Kernel: from light to bytes.
+        RESOLVE = "render/resolve.wgsl";
+        /// Kernel: where the nodes of a simulation are.
+        PLACES = "render/places.wgsl";
+        /// Kernel: the nodes that lie farthest in some directions.
+        EXTREMES = "render/extremes.wgsl";
+    }
+}

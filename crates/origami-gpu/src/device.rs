@@ -23,6 +23,9 @@ struct Inner {
     device: wgpu::Device,
     queue: wgpu::Queue,
     limits: wgpu::Limits,
+    /// Whether a fragment can be looked at in each of its samples.
+    #[cfg_attr(not(feature = "render"), expect(dead_code, reason = "only pictures ask for it"))]
+    sample_shading: bool,
     /// The first thing that went wrong outside every error scope.
     fault: Arc<OnceLock<GpuError>>,
 }
@@ -57,7 +60,9 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             let _ = refused.set(error.into());
         }));
-        Ok(Self { inner: Arc::new(Inner { adapter: summary, device, queue, limits, fault }) })
+        let able = adapter.get_downlevel_capabilities().flags;
+        let sample_shading = able.contains(wgpu::DownlevelFlags::MULTISAMPLED_SHADING);
+        Ok(Self { inner: Arc::new(Inner { adapter: summary, device, queue, limits, sample_shading, fault }) })
     }
 
     /// What was opened.
@@ -82,6 +87,17 @@ impl Gpu {
     /// What the device was opened with.
     pub(crate) fn limits(&self) -> &wgpu::Limits {
         &self.inner.limits
+    }
+
+    #[cfg(feature = "render")]
+    pub(crate) fn has_sample_shading(&self) -> bool {
+        self.inner.sample_shading
+    }
+
+    /// Whether both are one device: what is in the memory of one, the other can use.
+    #[cfg(feature = "render")]
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.inner, &other.inner)
     }
 
     /// Whether it has gone wrong so far; what was submitted goes on.

@@ -14,6 +14,8 @@ mod mapped;
 mod paper;
 mod pipeline;
 mod relax;
+#[cfg(feature = "render")]
+pub mod render;
 mod run;
 mod scene;
 #[cfg(test)]
@@ -28,4 +30,4 @@ pub use device::Gpu;
 pub use engine::{Dispatch, WORKGROUP_NODES};
 pub use error::GpuError;
 pub use paper::PaperDynamics;
-pub use solver::OnGpu;
+pub use solver::{OnGpu, OnModel};

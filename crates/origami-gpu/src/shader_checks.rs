@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{Module, StorageAccess, TypeInner};
 
-/// A shader that was found valid without any optional capability.
+/// A shader that was found valid, without optional capabilities but those named.
 #[derive(Debug)]
 pub(crate) struct Checked {
     module: Module,
@@ -18,12 +18,20 @@ pub(crate) struct Checked {
 /// # Panics
 /// If it is not valid, or calls a function that is too coarse on some adapters.
 pub(crate) fn checked(name: &str, text: &str) -> Checked {
+    checked_with(name, text, Capabilities::empty())
+}
+
+/// The same where the adapter is known to have these capabilities.
+///
+/// # Panics
+/// As [`checked`].
+pub(crate) fn checked_with(name: &str, text: &str, capabilities: Capabilities) -> Checked {
     for coarse in ["acos(", "asin("] {
         assert!(!text.contains(coarse), "{name}: {coarse} is off by up to 4e-4 on some adapters");
     }
     let module =
         naga::front::wgsl::parse_str(text).unwrap_or_else(|e| panic!("{}", e.emit_to_string_with_path(text, name)));
-    let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
+    let info = Validator::new(ValidationFlags::all(), capabilities).validate(&module);
     let info = info.unwrap_or_else(|e| panic!("{}", e.emit_to_string_with_path(text, name)));
     Checked { module, info }
 }

@@ -64,8 +64,7 @@ impl<S: Method> Solver for OnGpu<S> {
     }
 
     fn session<'a>(&'a self, model: &'a Model) -> Box<dyn Session + 'a> {
-        let engine = Engine::new(&self.gpu, &[model], purpose(self, [model].into_iter()), 1);
-        Box::new(OneModel { method: &self.method, model, engine })
+        Box::new(self.on(model))
     }
 
     fn fold_all(
@@ -87,14 +86,34 @@ fn purpose<'m, S: Method>(solver: &OnGpu<S>, mut models: impl Iterator<Item = &'
     solver.method.purpose(models.any(|m| m.material.zeta > 0.0), solver.dispatch)
 }
 
-/// The engine of one model stays from one percentage to the next.
-struct OneModel<'a, S> {
+#[expect(private_bounds, reason = "which of the core's methods a GPU can compute is no matter of choice")]
+impl<S: Method> OnGpu<S> {
+    /// What [`Solver::session`] gives, by its own name.
+    pub fn on<'a>(&'a self, model: &'a Model) -> OnModel<'a, S> {
+        let engine = Engine::new(&self.gpu, &[model], purpose(self, [model].into_iter()), 1);
+        OnModel { method: &self.method, model, engine }
+    }
+}
+
+/// A [`Session`] on a GPU: the buffers and pipelines of one model stay from one percentage to the next. With the feature
+/// `render` a `Renderer` can draw the sheet where the session has left it.
+#[derive(Debug)]
+pub struct OnModel<'a, S> {
     method: &'a S,
     model: &'a Model,
     engine: Result<Engine, GpuError>,
 }
 
-impl<S: Method> Session for OneModel<'_, S> {
+#[cfg(feature = "render")]
+impl<S> OnModel<'_, S> {
+    /// # Errors
+    /// Why it could not be built.
+    pub(crate) fn engine(&self) -> Result<&Engine, GpuError> {
+        self.engine.as_ref().map_err(Clone::clone)
+    }
+}
+
+impl<S: Method> Session for OnModel<'_, S> {
     fn fold(&mut self, start: &State, percent: f64, observe: &mut dyn FnMut(Progress)) -> Result<Folded, Failed> {
         let engine = self.engine.as_mut().map_err(|error| backend(error.clone(), start, 0))?;
         let instance = Instance { model: self.model, start: start.clone(), percent };

@@ -21,6 +21,7 @@
 pub mod animation;
 pub mod camera;
 pub mod colour;
+pub mod difference;
 pub mod glb;
 pub mod image;
 pub mod layers;

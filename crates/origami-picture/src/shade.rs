@@ -13,9 +13,12 @@ pub fn brightness(normal: [f32; 3], light: [f32; 3], up: [f32; 3], strength: f32
     1.0 + (lit - 1.0) * strength
 }
 
-const AMBIENT: f32 = 0.38;
-const KEY: f32 = 0.54;
-const SKY: f32 = 0.16;
+/// Light from all around.
+pub const AMBIENT: f32 = 0.38;
+/// That of the lamp on paper turned to it.
+pub const KEY: f32 = 0.54;
+/// What more comes from above.
+pub const SKY: f32 = 0.16;
 
 #[cfg(test)]
 mod tests {

@@ -12,9 +12,9 @@ use crate::scene::{LineKind, Scene};
 use crate::theme::{Dash, LineStyle};
 
 /// A steep face brings its line no nearer than this, in half widths of the line.
-const STEEP: f64 = 6.0;
+pub const STEEP: f64 = 6.0;
 /// A face that falls away by more than this, in depth over distance, is seen edge-on and says nothing about its line.
-const EDGE_ON: f64 = 100.0;
+pub const EDGE_ON: f64 = 100.0;
 
 /// A line in the picture.
 #[derive(Clone, Debug)]
@@ -82,8 +82,20 @@ impl Stroke {
     }
 }
 
+/// Lines in this order are drawn one over the other.
+pub const ORDER: [LineKind; LineKind::ALL.len()] =
+    [LineKind::Facet, LineKind::Undriven, LineKind::Valley, LineKind::Mountain, LineKind::Boundary, LineKind::Cut];
+
+/// By how much lines of a kind lie before the paper, in radii: those of two kinds do not fight.
+#[must_use]
+pub fn bias(kind: LineKind) -> f64 {
+    let rank = ORDER.iter().position(|k| *k == kind).unwrap_or(0);
+    BIAS * (1.0 + 0.05 * rank as f64)
+}
+
 /// The theme's style, but over a map all creases are alike.
-fn style(picture: &Picture, scene: &Scene, kind: LineKind) -> LineStyle {
+#[must_use]
+pub fn style(picture: &Picture, scene: &Scene, kind: LineKind) -> LineStyle {
     let style = *picture.theme.line(kind);
     if scene.map.is_none() || matches!(kind, LineKind::Boundary | LineKind::Cut) {
         return style;
@@ -100,10 +112,9 @@ pub(super) fn strokes(
     facets: &[Option<Facet>],
     circles: &Circles,
 ) -> Vec<Stroke> {
-    use LineKind::{Boundary, Cut, Facet, Mountain, Undriven, Valley};
     let (scale, pixel, depth) = (picture.line_scale(), f64::from(view.pixel), f64::from(view.depth));
     let mut strokes = Vec::new();
-    for (rank, kind) in [Facet, Undriven, Valley, Mountain, Boundary, Cut].into_iter().enumerate() {
+    for kind in ORDER {
         let style = style(picture, scene, kind);
         let half = 0.5 * f64::from(style.width * scale);
         if !(picture.edges.has(kind) && half > 0.0 && half < 1e4) {
@@ -128,7 +139,7 @@ pub(super) fn strokes(
                 bare: [a.z, b.z],
                 faces,
                 triangles: circles.top_first(line.triangles),
-                bias: BIAS * (1.0 + 0.05 * rank as f64) * view.depth_of_radius(),
+                bias: bias(kind) * view.depth_of_radius(),
                 steep: STEEP * half * depth,
                 dashes: style.dash.and_then(|dash| Dashes::new(&dash, line.along, pixel * f64::from(scale))),
                 colour: style.colour.linear(),

@@ -19,8 +19,10 @@ use crate::picture::Picture;
 use crate::scene::Scene;
 use circles::Circles;
 use line::Stroke;
+pub use line::{EDGE_ON, ORDER, STEEP, bias, style};
 use tile::{SIZE, Tile};
 use triangle::Facet;
+pub use triangle::{UNDER_MAP, lift};
 
 /// How far lines lie before the paper that they are drawn on, in radii: less than a layer, so that lines of the layer
 /// below stay hidden.

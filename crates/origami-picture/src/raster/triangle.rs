@@ -65,7 +65,7 @@ impl Edge {
 }
 
 /// How much of the paper's shading is left under a map: enough to see the folds, too little to change what colours say.
-const UNDER_MAP: f32 = 0.35;
+pub const UNDER_MAP: f32 = 0.35;
 
 /// All triangles; `None` for those that are seen edge-on or lie behind the viewer.
 pub(super) fn facets(picture: &Picture, scene: &Scene, view: &View, corners: &[Option<Corner>]) -> Vec<Option<Facet>> {
@@ -114,7 +114,8 @@ fn plane([a, b, c]: &[Corner; 3], area: f64, values: [f64; 3]) -> Plane {
 }
 
 /// How much nearer each corner of a triangle is drawn, in clip depth.
-fn lift(layer: &Layer, view: &View) -> [f64; 3] {
+#[must_use]
+pub fn lift(layer: &Layer, view: &View) -> [f64; 3] {
     let dot: f32 = layer.up.iter().zip(view.towards).map(|(a, b)| a * b).sum();
     // Layers are as far apart as ever when they are seen from the side, but for those that show nothing but edges.
     let turn = if dot.abs() < 1e-3 { 0.0 } else { dot.signum() };

@@ -1,0 +1,197 @@
+//! Pictures drawn on the GPU: those of [`origami_picture`], by the same scenes, cameras and themes.
+//!
+//! They are drawn offscreen, with no window and no display, and agree with the processor's to what an eye can tell. Light
+//! is averaged over 4 samples a pixel; for [`Picture::samples`] above 4, over 2 x 2 times as many. What is larger than the
+//! adapter's textures, or than a bounded amount of memory, is drawn in tiles.
+//!
+//! Of triangles that lie upon each other in a circle ([`Scene::circles`]) no account is taken beyond what
+//! [`Scene::layers`] say of them.
+//!
+//! ```no_run
+//! use origami_gpu::render::Renderer;
+//! use origami_gpu::{AdapterChoice, Gpu};
+//! # use origami_core::{Material, Model, Relax, generate::BirdBase};
+//! use origami_picture::{Picture, Scene};
+//!
+//! # let pattern = BirdBase::default().pattern()?;
+//! # let model = Model::new(&pattern, &Material::default())?;
+//! # let folded = Relax::default().fold_from_rest(&model, 60.0)?;
+//! let renderer = Renderer::new(&Gpu::open(&AdapterChoice::Any)?)?;
+//! let scene = Scene::new(&pattern, &model, &folded.state.positions);
+//! let image = renderer.draw(&Picture::default(), &scene)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod extremes;
+mod layout;
+mod nodes;
+mod pipelines;
+mod resolve;
+mod scene;
+mod targets;
+#[cfg(test)]
+mod tests;
+mod tiles;
+
+use std::sync::{Mutex, PoisonError};
+
+use origami_core::Error;
+use origami_picture::{Image, Picture, Scene, View};
+
+use crate::device::Gpu;
+use crate::error::GpuError;
+use crate::solver::OnModel;
+use extremes::Extremes;
+use pipelines::{Pipelines, Sampling};
+use resolve::Resolver;
+use scene::Uploaded;
+use targets::Targets;
+
+/// Samples a side of the largest tile: 4 million samples' pixels, some 240 MB with four samples in each.
+const LARGEST_TILE: u32 = 2048;
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum DrawError {
+    /// The picture or the scene makes no sense.
+    #[error(transparent)]
+    Scene(#[from] Error),
+    /// The GPU cannot, or stopped.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}
+
+/// Draws pictures on a GPU. Its pipelines are made once, for all pictures; its textures stay from one picture to the next
+/// of the same size.
+#[derive(Debug)]
+pub struct Renderer {
+    gpu: Gpu,
+    /// By how many samples a pixel has.
+    plain: Pipelines,
+    multisampled: Option<Pipelines>,
+    resolver: Resolver,
+    extremes: Extremes,
+    /// Pixels a side of a tile, of the finer picture that is averaged in the end.
+    tile: u32,
+    targets: Mutex<Option<Targets>>,
+}
+
+impl Renderer {
+    /// Makes all that does not depend on the picture.
+    ///
+    /// # Errors
+    /// What the device says.
+    pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+        Self::with(gpu, LARGEST_TILE, gpu.has_sample_shading())
+    }
+
+    /// With tiles of at most this many pixels a side, and with or without multisampling.
+    fn with(gpu: &Gpu, tile: u32, multisampled: bool) -> Result<Self, GpuError> {
+        gpu.scoped(|| Self {
+            gpu: gpu.clone(),
+            plain: Pipelines::new(gpu, Sampling::Single),
+            multisampled: multisampled.then(|| Pipelines::new(gpu, Sampling::Four)),
+            resolver: Resolver::new(gpu),
+            extremes: Extremes::new(gpu),
+            tile: tile.min(gpu.limits().max_texture_dimension_2d),
+            targets: Mutex::default(),
+        })
+    }
+
+    /// Draws the scene, which fills the picture: [`Picture::draw`] on the GPU.
+    ///
+    /// # Errors
+    /// [`DrawError::Scene`] for a size, camera or scene that makes no sense; what the device says.
+    pub fn draw(&self, picture: &Picture, scene: &Scene) -> Result<Image, DrawError> {
+        let view = picture.view(scene, scene.positions.iter().copied())?;
+        self.draw_from(picture, scene, &view)
+    }
+
+    /// Draws the scene as this view shows it: [`Picture::draw_from`] on the GPU.
+    ///
+    /// # Errors
+    /// [`DrawError::Scene`] for a size or scene that makes no sense; what the device says.
+    pub fn draw_from(&self, picture: &Picture, scene: &Scene, view: &View) -> Result<Image, DrawError> {
+        scene.check()?;
+        let positions = self.gpu.scoped(|| scene::positions(&self.gpu, &scene.positions))?;
+        self.draw_positions(picture, scene, view, &positions)
+    }
+
+    /// Draws a sheet where a simulation's session has left it, from the simulation's own memory: positions do not pass
+    /// through the processor.
+    ///
+    /// Everything but positions is the scene's: its triangles and lines, its map and its layers. Layers belong to the
+    /// positions that the scene has; take them away where the sheet has moved since. Without a `view` the sheet fills the
+    /// picture, for which its outermost nodes are read: with an orthographic camera exactly, with a perspective one it may
+    /// reach into the margins.
+    ///
+    /// # Errors
+    /// [`DrawError::Scene`] for a size, camera or scene that makes no sense, or a scene of another sheet;
+    /// [`GpuError::Refused`] for a session on another GPU, and whatever else the device says.
+    pub fn draw_session<S>(
+        &self,
+        picture: &Picture,
+        scene: &Scene,
+        session: &OnModel<'_, S>,
+        view: Option<&View>,
+    ) -> Result<Image, DrawError> {
+        scene.check()?;
+        let engine = session.engine()?;
+        if scene.positions.len() != engine.variant.nodes {
+            let problem = format!("has {} nodes", scene.positions.len());
+            return Err(Error::invalid("scene", problem, format!("the session's {}", engine.variant.nodes)).into());
+        }
+        if !engine.gpu.is(&self.gpu) {
+            let adapters = format!("the session is on another device than the renderer, {}", self.gpu.adapter());
+            return Err(GpuError::Refused(adapters).into());
+        }
+        let positions = nodes::positions(engine)?;
+        match view {
+            Some(view) => self.draw_positions(picture, scene, view, &positions),
+            None => {
+                let outermost = self.extremes.of(&self.gpu, picture, &positions, scene.positions.len())?;
+                let view = picture.view(scene, outermost.into_iter())?;
+                self.draw_positions(picture, scene, &view, &positions)
+            }
+        }
+    }
+
+    /// Draws a scene that has been checked, with its nodes at `positions`.
+    fn draw_positions(
+        &self,
+        picture: &Picture,
+        scene: &Scene,
+        view: &View,
+        positions: &wgpu::Buffer,
+    ) -> Result<Image, DrawError> {
+        let mut image = Image::new(picture.width, picture.height, picture.theme.background)?;
+        let (pipelines, factor) = self.sampling(picture.samples)?;
+        let uploaded = Uploaded::new(&self.gpu, pipelines, picture, scene, view, positions, factor)?;
+        let tiles = tiles::Tiles::new(picture, self.tile, factor);
+        let mut kept = self.targets.lock().unwrap_or_else(PoisonError::into_inner);
+        let targets = Targets::at_least(&self.gpu, kept.take(), pipelines.sampling, tiles.largest())?;
+        for tile in tiles.all() {
+            let pixels = self.draw_tile(pipelines, &uploaded, &targets, &tile)?;
+            image.place(&Image { width: tile.width, height: tile.height, pixels }, tile.left, tile.top);
+        }
+        *kept = Some(targets);
+        picture.annotate(scene, &mut image);
+        Ok(image)
+    }
+
+    /// The pipelines for so many samples a pixel, and how many pixels a side are drawn for each of the picture's.
+    fn sampling(&self, samples: u32) -> Result<(&Pipelines, u32), Error> {
+        let finer = match samples {
+            1 => return Ok((&self.plain, 1)),
+            4 => 1,
+            8 | 16 => 2,
+            other => return Err(Error::invalid("samples", other.to_string(), "1, 4, 8 or 16")),
+        };
+        Ok(match &self.multisampled {
+            Some(pipelines) => (pipelines, finer),
+            // As many samples, on a plain grid.
+            None => (&self.plain, 2 * finer),
+        })
+    }
+}

@@ -1,0 +1,113 @@
+//! From light to bytes, on the GPU, and from there to the processor.
+
+use std::sync::{Arc, OnceLock};
+
+use bytemuck::Pod;
+use origami_shaders::render::RESOLVE;
+
+use super::layout::Resolve;
+use super::scene::buffer;
+use crate::device::Gpu;
+use crate::error::GpuError;
+
+/// The kernel that finishes tiles.
+#[derive(Debug)]
+pub(super) struct Resolver {
+    pipeline: wgpu::ComputePipeline,
+}
+
+impl Resolver {
+    pub(super) fn new(gpu: &Gpu) -> Self {
+        Self { pipeline: kernel(gpu, "resolve", RESOLVE) }
+    }
+
+    /// Records the finishing of a tile after what `encoder` has recorded, submits it all and begins to read.
+    pub(super) fn read(
+        &self,
+        gpu: &Gpu,
+        mut encoder: wgpu::CommandEncoder,
+        light: &wgpu::TextureView,
+        settings: &Resolve,
+    ) -> Reading {
+        let [width, height] = settings.size;
+        let size = 4 * u64::from(width) * u64::from(height);
+        let pixels = gpu.device().create_buffer(&wgpu::BufferDescriptor {
+            label: Some("pixels"),
+            size,
+            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
+            mapped_at_creation: false,
+        });
+        let settings = buffer(gpu, &[*settings], wgpu::BufferUsages::UNIFORM);
+        let bindings = gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("resolve"),
+            layout: &self.pipeline.get_bind_group_layout(0),
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(light) },
+                wgpu::BindGroupEntry { binding: 1, resource: settings.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 2, resource: pixels.as_entire_binding() },
+            ],
+        });
+        {
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            pass.set_pipeline(&self.pipeline);
+            pass.set_bind_group(0, &bindings, &[]);
+            pass.dispatch_workgroups(width.div_ceil(8), height.div_ceil(8), 1);
+        }
+        Reading::new(gpu, encoder, &pixels, size)
+    }
+}
+
+/// A compute pipeline, bound as its text says.
+pub(super) fn kernel(gpu: &Gpu, entry: &str, text: &str) -> wgpu::ComputePipeline {
+    let module = gpu.device().create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(entry),
+        source: wgpu::ShaderSource::Wgsl(text.into()),
+    });
+    gpu.device().create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some(entry),
+        layout: None,
+        module: &module,
+        entry_point: Some(entry),
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        cache: None,
+    })
+}
+
+/// A copy on its way to the processor.
+#[derive(Debug)]
+pub(super) struct Reading {
+    copy: wgpu::Buffer,
+    submission: wgpu::SubmissionIndex,
+    mapped: Arc<OnceLock<bool>>,
+}
+
+impl Reading {
+    /// Submits what `encoder` has recorded, and then copies a buffer for reading.
+    pub(super) fn new(gpu: &Gpu, mut encoder: wgpu::CommandEncoder, from: &wgpu::Buffer, size: u64) -> Self {
+        let copy = gpu.device().create_buffer(&wgpu::BufferDescriptor {
+            label: Some("what is read"),
+            size,
+            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        encoder.copy_buffer_to_buffer(from, 0, &copy, 0, size);
+        let submission = gpu.queue().submit([encoder.finish()]);
+        let mapped = Arc::new(OnceLock::new());
+        let told = Arc::clone(&mapped);
+        copy.map_async(wgpu::MapMode::Read, .., move |result| {
+            let _ = told.set(result.is_ok());
+        });
+        Self { copy, submission, mapped }
+    }
+
+    pub(super) fn wait<T: Pod>(self, gpu: &Gpu) -> Result<Vec<T>, GpuError> {
+        gpu.wait_for(self.submission)?;
+        if self.mapped.get() != Some(&true) {
+            return Err(GpuError::Refused("the picture could not be read".to_owned()));
+        }
+        let view = self.copy.get_mapped_range(..);
+        let view = view.map_err(|error| GpuError::Refused(format!("the picture could not be read: {error}")))?;
+        // A mapped buffer need not be aligned as the contents are.
+        Ok(bytemuck::pod_collect_to_vec(&view[..]))
+    }
+}

@@ -11,19 +11,25 @@ use crate::numbers::plain;
 /// Pixels of each part, where no size is asked for.
 pub(super) const SIZE: [u32; 2] = [480, 384];
 
-/// How many parts stand beside each other: about as many as below each other, as pages are wider than high.
+/// How many parts stand beside each other: as many as below each other or one more, whichever leaves less room empty.
 fn columns(parts: u32) -> u32 {
-    (1..parts).find(|n| n * n >= parts + n / 2).unwrap_or(parts.max(1))
+    let root = parts.max(1).isqrt();
+    let least = if root * root < parts { root + 1 } else { root };
+    let empty = |columns: &u32| parts.div_ceil(*columns) * columns - parts;
+    (least..=least + 1).min_by_key(empty).unwrap_or(least)
 }
 
 /// Pixels of the whole.
 pub(super) fn extent(style: &Style, parts: u32) -> [u32; 2] {
     let Picture { width, height, .. } = style.picture(SIZE);
+    // Beyond this any picture is too large.
+    let parts = parts.min(1 << 20);
     let columns = columns(parts);
     [width.saturating_mul(columns), height.saturating_mul(parts.div_ceil(columns))]
 }
 
-/// The pattern, where it is flat, and all states as one PNG. All states are seen alike, and their maps have one scale.
+/// The pattern, where it is flat, and all states as one PNG. All states are seen from one place, at one scale, and so
+/// are their maps.
 pub(crate) fn contact(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
     let Some((_, first)) = subject.states.first() else { return Ok(()) };
     let style = &artist.style;
@@ -75,6 +81,6 @@ mod tests {
 
     #[test]
     fn parts_stand_in_rows_that_are_nearly_full() {
-        assert_eq!([1, 2, 3, 4, 5, 6, 7, 9, 12].map(columns), [1, 2, 2, 2, 3, 3, 3, 4, 4]);
+        assert_eq!([1, 2, 3, 4, 5, 6, 7, 9, 10, 12].map(columns), [1, 2, 3, 2, 3, 3, 4, 3, 5, 4]);
     }
 }

@@ -1,6 +1,5 @@
 //! Moving pictures. Each is drawn, written and forgotten, so that memory does not grow with their number.
 
-use std::fs;
 use std::path::Path;
 
 use origami::Error;
@@ -46,9 +45,6 @@ pub(crate) fn film(
     if extension == "png" {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let stem = stem.strip_suffix('-').unwrap_or(&stem);
-        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-            fs::create_dir_all(folder).map_err(|source| Error::Io { path: folder.display().to_string(), source })?;
-        }
         let mut files = Vec::new();
         for (i, number) in (0..frames).enumerate() {
             let file = path.with_file_name(numbered(stem, number, frames));

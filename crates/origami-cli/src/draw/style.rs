@@ -16,6 +16,11 @@ pub(crate) struct Style {
     mapping: Option<Mapping>,
 }
 
+/// The least value that a map's last colour stands for unless one is asked for: percent of strain, degrees.
+const LEAST: f64 = 1e-3;
+/// The same of energy over area.
+const LEAST_ENERGY: f64 = 1e-9;
+
 /// What is shown as colours.
 #[derive(Clone, Copy)]
 struct Mapping {
@@ -62,7 +67,12 @@ impl Style {
         let largest = |(_, state): &(f64, &origami::State)| {
             Map::new(quantity, subject.model, state, colours, None).values.largest()
         };
-        Some(clip.unwrap_or_else(|| round_up(subject.states.iter().map(largest).fold(0.0, f64::max))))
+        // A scale of rounding errors would show them as if they were something.
+        let least = match quantity {
+            Quantity::EnergyDensity => LEAST_ENERGY,
+            Quantity::Strain | Quantity::FaceStrain | Quantity::AngleError => LEAST,
+        };
+        Some(clip.unwrap_or_else(|| round_up(subject.states.iter().map(largest).fold(least, f64::max))))
     }
 
     /// The scene with its map, if there is one.

@@ -8,6 +8,7 @@ mod help;
 mod info;
 mod mutations;
 mod pattern;
+mod picture;
 mod place;
 mod report;
 mod streams;

@@ -4,10 +4,10 @@ mod lying;
 
 use std::time::Duration;
 
-use crate::args::{RenderArgs, ViewName};
+use crate::args::{BackendName, RenderArgs, ViewName};
 use crate::backend::Backend;
 use crate::console;
-use crate::draw::{self, Artist, Style, Subject};
+use crate::draw::{self, Artist, Brush, Style, Subject};
 use crate::exit::{Exit, Failure};
 use crate::files::{self, Destination, Format, Input, whole};
 use crate::numbers::duration;
@@ -36,10 +36,15 @@ pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
         Some(view) => view == ViewName::Pattern,
         None => lying.is_pattern,
     };
+    if as_pattern && args.picture.quantity().is_some() {
+        let expected = "a folded form, `--view sheet`, or `origami fold` with --map";
+        let problem = "a crease pattern as it lies has nothing to map";
+        return Err(format!("{input}: frame {}: {problem}; expected {expected}", lying.frame).into());
+    }
     let state = lying.state(args.picture.quantity()).map_err(told)?;
     let states = [(0.0, &state)];
     let subject = Subject { pattern: &lying.pattern, model: &lying.model, states: &states };
-    let brush = if args.backend == crate::args::BackendName::Gpu { backend.brush() } else { draw::Brush::default() };
+    let brush = if args.backend == BackendName::Gpu { backend.brush() } else { Brush::default() };
     let artist = Artist { style, brush };
     for (destination, format) in &outputs {
         whole(destination, |writer| match format {

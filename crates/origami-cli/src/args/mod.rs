@@ -16,7 +16,9 @@ pub(crate) use fold::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, S
 pub(crate) use info::InfoArgs;
 pub(crate) use material::MaterialArgs;
 pub(crate) use pattern::PatternArgs;
-pub(crate) use picture::{CameraName, ColoursName, MapName, PictureArgs, ThemeName};
+#[cfg(feature = "render")]
+pub(crate) use picture::{CameraName, ColoursName, ThemeName};
+pub(crate) use picture::{MapName, PictureArgs};
 pub(crate) use render::{RenderArgs, ViewName};
 pub(crate) use sweep::SweepArgs;
 

@@ -17,12 +17,12 @@ pub(crate) type LineSet = String;
 pub(crate) type Rgb = String;
 
 /// Nothing can be asked of it.
-#[derive(Default)]
-pub(crate) struct Style;
+#[derive(Clone, Default)]
+pub(crate) struct Style(());
 
 /// Draws nothing.
 #[derive(Default)]
-pub(crate) struct Brush;
+pub(crate) struct Brush(());
 
 impl Style {
     /// # Errors

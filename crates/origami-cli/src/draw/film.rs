@@ -80,7 +80,8 @@ impl<'a> Reel<'a> {
         let clip = artist.style.clip(subject);
         let mut scene = Scene::new(subject.pattern, subject.model, &first.positions);
         artist.style.mapped(&mut scene, subject, first, clip);
-        let (picture, count) = (artist.style.picture(contact::SIZE), film.pictures(subject.states.len()));
+        let (picture, count) =
+            (artist.style.picture(contact::SIZE), subject.states.len().max(film.turntable.unwrap_or(0) as usize));
         Some(Self { artist, subject, picture, turntable: film.turntable, count, clip, points, scene })
     }
 

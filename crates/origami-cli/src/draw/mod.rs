@@ -33,12 +33,14 @@ use origami::{CreasePattern, Model, State};
 /// What a command draws with, and how it shall look.
 #[derive(Default)]
 pub(crate) struct Artist {
+    #[cfg_attr(not(feature = "render"), expect(dead_code, reason = "nothing draws"))]
     pub(crate) style: Style,
     pub(crate) brush: Brush,
 }
 
 /// A folded sheet and the states that it went through.
 #[derive(Clone, Copy)]
+#[cfg_attr(not(feature = "render"), expect(dead_code, reason = "nothing draws"))]
 pub(crate) struct Subject<'a> {
     pub(crate) pattern: &'a CreasePattern,
     pub(crate) model: &'a Model,
@@ -55,15 +57,8 @@ pub(crate) struct Film {
     pub(crate) fps: Option<u16>,
 }
 
-impl Film {
-    /// How many pictures it has if the sheet goes through so many states.
-    pub(crate) fn pictures(self, states: usize) -> usize {
-        states.max(self.turntable.unwrap_or(0) as usize)
-    }
-}
-
 /// What a picture's ground may be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Ground {
     Transparent,
     Plain(Rgb),

@@ -112,11 +112,11 @@ fn theme(args: &PictureArgs) -> Theme {
         Some(ThemeName::Mono) => Theme::mono(),
         Some(ThemeName::Dark) => Theme::dark(),
     };
-    match args.background {
+    match &args.background {
         None => {}
         Some(Ground::Transparent) => theme.background = None,
         Some(Ground::Plain(ground)) => {
-            theme.background = Some(ground);
+            theme.background = Some(*ground);
             if theme.text.is_light() == ground.is_light() {
                 theme.text = if ground.is_light() { Rgb::BLACK } else { Rgb::WHITE };
             }

@@ -33,7 +33,6 @@ fn bad_usage_is_1_and_names_what_is_wrong() {
         ("fold square.fold -o a.png --map heat", "strain, face-strain, angle-error, energy"),
         ("fold square.fold -o a.png --turntable 3", "--animate"),
         ("fold square.fold --animate a.gif", "nothing moves; expected --frames N, --turntable N or both"),
-        ("fold square.fold --animate a.mp4 --frames 3", "a.mp4: no film is written as this"),
         ("render square.fold", "--output"),
         ("render square.fold -o a.obj", "a.obj: expected a path ending in .png, .svg or .glb"),
         ("fold square.fold -o away/a.fold", "away/a.fold: there is no folder away"),

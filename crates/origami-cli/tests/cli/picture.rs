@@ -272,6 +272,23 @@ mod present {
         assert_eq!(&bytes(&place, "b.glb")[..4], b"glTF");
     }
 
+    /// Without an adapter there is nothing to hold against; the tests of `--backend gpu` say so.
+    #[cfg(feature = "gpu")]
+    #[test]
+    fn a_gpu_draws_the_same_to_what_an_eye_can_tell() {
+        let place = Place::new();
+        if place.run("adapters --json").stdout.trim() == "[]" {
+            return;
+        }
+        let look = "--view sheet --size 160x120 --quiet";
+        place.run(&format!("render square.fold -o a.png --backend gpu {look}")).succeeds();
+        place.run(&format!("render square.fold -o b.png {look}")).succeeds();
+        let (one, other) = (picture(&place, "a.png"), picture(&place, "b.png"));
+        let apart = |(a, b): (&[u8; 4], &[u8; 4])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 48);
+        let count = one.pixels.iter().zip(&other.pixels).filter(|pair| apart(*pair)).count();
+        assert!(one.colours() > 20 && count < one.pixels.len() / 50, "{count} pixels differ");
+    }
+
     #[test]
     fn a_picture_goes_to_standard_output() {
         let place = Place::new();

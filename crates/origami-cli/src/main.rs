@@ -5,6 +5,7 @@ mod args;
 mod backend;
 mod commands;
 mod console;
+mod draw;
 mod exit;
 mod files;
 mod numbers;

@@ -63,6 +63,15 @@ impl ProgressLine {
         self.bar.set_position((sum * PARTS as f64) as u64);
     }
 
+    /// Within one film: so many pictures of `of` are drawn.
+    pub(crate) fn show_pictures(&self, drawn: usize, of: usize) {
+        if self.bar.is_hidden() {
+            return;
+        }
+        self.bar.set_position(PARTS * drawn as u64 / of.max(1) as u64);
+        self.bar.set_message(format!("picture {drawn} of {of}"));
+    }
+
     /// One more file is done.
     pub(crate) fn file_done(&self) {
         self.bar.inc(1);

@@ -5,9 +5,15 @@ use origami::model::Material;
 use origami::solve::Newton;
 use origami::solve::{Dynamics, Integrator, Relax, TimeStep, frame_percents, time_step};
 
-use crate::args::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, SolverName, SolvingArgs, SweepArgs};
+use crate::args::{
+    ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PictureArgs, SolverName, SolvingArgs, SweepArgs,
+};
 use crate::backend::{Backend, Method};
+use crate::draw::{Film, Style};
 use crate::numbers::plain;
+
+/// Stages after the flat one in a contact sheet, where nothing is asked for.
+const STAGES: u32 = 4;
 
 /// How every input of a run is folded.
 pub(crate) struct Settings {
@@ -17,6 +23,10 @@ pub(crate) struct Settings {
     pub(crate) percents: Vec<f64>,
     /// Whether all of them are wanted, or only the last.
     pub(crate) animated: bool,
+    /// How pictures look; `None` where none are wanted.
+    pub(crate) style: Option<Style>,
+    /// What films are like.
+    pub(crate) film: Film,
     /// What the sheet is made of.
     pub(crate) material: Material,
     /// As on the command line.
@@ -33,17 +43,20 @@ pub(crate) struct Settings {
 }
 
 impl Settings {
-    /// Those of the arguments.
+    /// Those of the arguments; pictures are `drawn` or not.
     ///
     /// # Errors
     /// What this build or this machine cannot do.
-    pub(crate) fn new(args: &FoldArgs) -> Result<Self, String> {
+    pub(crate) fn new(args: &FoldArgs, drawn: bool) -> Result<Self, String> {
         let solving = &args.solving;
         let (time_step, integrator) = (solving.time_step(), solving.integrator());
+        let stages = args.frames.or(args.sheet.is_some().then_some(STAGES));
         Ok(Self {
             frame: args.frame,
-            percents: args.frames.map_or_else(|| vec![args.percent], |frames| frame_percents(args.percent, frames)),
+            percents: stages.map_or_else(|| vec![args.percent], |stages| frame_percents(args.percent, stages)),
             animated: args.frames.is_some(),
+            style: drawn.then(|| Style::new(&args.picture)).transpose()?,
+            film: Film { turntable: args.turntable, fps: args.fps },
             material: args.material.material(),
             solver_name: solving.solver,
             method: method(solving, args.perturbation)?,
@@ -139,10 +152,19 @@ impl SolvingArgs {
 }
 
 /// What is allowed but odd about the arguments.
-pub(crate) fn oddities(args: &FoldArgs) -> Vec<String> {
+pub(crate) fn oddities(args: &FoldArgs, drawn: bool) -> Vec<String> {
     let mut oddities = past_the_angles(&[args.percent]);
+    oddities.extend(oddities_of_picture(&args.picture, drawn));
     oddities.extend(without_effect(&args.solving, args.material.zeta.is_some(), args.perturbation.is_some()));
     oddities
+}
+
+/// The same of how pictures shall look.
+pub(crate) fn oddities_of_picture(args: &PictureArgs, drawn: bool) -> Vec<String> {
+    if !drawn && *args != PictureArgs::default() {
+        return vec!["options of pictures have no effect: none is asked for".to_owned()];
+    }
+    args.idle_of_maps().map(|name| format!("{name} has no effect without --map or --strain")).collect()
 }
 
 /// The same of a sweep, where either solver takes the perturbation.

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use origami::solve::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, TimeStep};
 
-use super::MaterialArgs;
 use super::values::{finite, positive, share, time_step};
+use super::{MaterialArgs, PictureArgs};
 use crate::files::Format;
 
 const EXAMPLES: &str = "\
@@ -15,6 +15,8 @@ Examples:
   origami fold crane.fold -o folded.fold                   Fold all the way
   origami fold crane.fold --percent 90 -o a.fold -o a.obj  To 90 %, as two files
   origami fold crane.fold --frames 20 -o film.fold         An animation of 20 stages
+  origami fold crane.fold --percent 90 -o a.png --strain   A picture of the strain
+  origami fold crane.fold --frames 60 --animate film.apng  A film of the folding
   origami fold *.fold -o out/ --format obj --report r.json Many at once, into a folder
   origami fold - -o - < crane.fold > folded.fold           As a filter
   origami fold crane.fold --solver dynamics --time-step paper --percent 60 --steps 300 -o a.fold
@@ -44,11 +46,26 @@ pub(crate) struct FoldArgs {
 
     /// Where to write; can be given more than once
     ///
-    /// The extension tells the format: .fold, .obj or .stl (binary). `-` is FOLD on standard output. A folder (one that
-    /// exists, or a path that ends in `/`, which is made) takes one file for each input, with the name of the input;
-    /// several inputs need one.
-    #[arg(short, long = "output", value_name = "OUT", required_unless_present = "report")]
+    /// The extension tells the format: .fold, .obj, .stl (binary), .glb (binary glTF), .png (a picture) or .svg (the
+    /// crease pattern). `-` is FOLD on standard output. A folder (one that exists, or a path that ends in `/`, which is
+    /// made) takes one file for each input, with the name of the input; several inputs need one.
+    #[arg(short, long = "output", value_name = "OUT", required_unless_present_any = ["report", "png", "sheet", "animate"])]
     pub(crate) outputs: Vec<PathBuf>,
+
+    /// A picture of the folded sheet: the same as -o OUT.png
+    #[arg(long, value_name = "OUT.png")]
+    pub(crate) png: Option<PathBuf>,
+
+    /// One picture of the crease pattern and all stages of --frames [default: 4 after the flat one]
+    #[arg(long, value_name = "OUT.png")]
+    pub(crate) sheet: Option<PathBuf>,
+
+    /// A film of the stages of --frames, of a --turntable or of both
+    ///
+    /// The extension tells the format: .apng, .gif, or .png for one file for each picture, numbered: DIR/a-.png becomes
+    /// DIR/a-000.png and so on.
+    #[arg(long, value_name = "OUT")]
+    pub(crate) animate: Option<PathBuf>,
 
     /// Formats of the files in folders [default: fold]
     #[arg(long = "format", value_name = "FORMAT", value_delimiter = ',')]
@@ -60,9 +77,20 @@ pub(crate) struct FoldArgs {
 
     /// Settle N stages after the flat one, and write an animation
     ///
-    /// The stages are evenly spaced up to the percentage. FOLD files then hold all of them, OBJ and STL files the last.
+    /// The stages are evenly spaced up to the percentage. FOLD and glTF files then hold all of them, OBJ, STL
+    /// and PNG files the last.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub(crate) frames: Option<u32>,
+
+    /// Go once round the sheet in N pictures of --animate; with --frames while it folds
+    ///
+    /// If N is more than there are stages the last stage stays; if less, the round begins again.
+    #[arg(long, value_name = "N", requires = "animate", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub(crate) turntable: Option<u32>,
+
+    /// Pictures in a second of --animate, 1 to 100 [default: 20]
+    #[arg(long, value_name = "X", requires = "animate", value_parser = clap::value_parser!(u16).range(1..=100))]
+    pub(crate) fps: Option<u16>,
 
     /// Which frame of the input to fold: 0 is the key frame [default: the first with vertex positions]
     #[arg(long, value_name = "N")]
@@ -96,6 +124,10 @@ pub(crate) struct FoldArgs {
     /// The paper.
     #[command(flatten)]
     pub(crate) material: MaterialArgs,
+
+    /// How pictures look.
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
 }
 
 /// Options of the solver.

@@ -6,6 +6,8 @@ mod info;
 mod list;
 mod material;
 mod pattern;
+mod picture;
+mod render;
 mod sweep;
 mod values;
 
@@ -14,6 +16,10 @@ pub(crate) use fold::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, S
 pub(crate) use info::InfoArgs;
 pub(crate) use material::MaterialArgs;
 pub(crate) use pattern::PatternArgs;
+#[cfg(feature = "render")]
+pub(crate) use picture::{CameraName, ColoursName, ThemeName};
+pub(crate) use picture::{MapName, PictureArgs};
+pub(crate) use render::{RenderArgs, ViewName};
 pub(crate) use sweep::SweepArgs;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -41,6 +47,7 @@ Examples:
   origami pattern miura --set columns=6 -o miura.fold      Make a crease pattern
   origami info miura.fold                                  See what is in a file
   origami fold miura.fold --percent 60 -o folded.fold      Fold it
+  origami fold miura.fold --percent 60 -o folded.png       Fold it and draw it
   origami fold --help                                      More of these, and all settings
   origami sweep miura.fold --percent 0:100:5 -o out        Fold it in many ways
 
@@ -51,6 +58,7 @@ Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.
 pub(crate) enum Command {
     Fold(Box<FoldArgs>),
     Sweep(Box<SweepArgs>),
+    Render(Box<RenderArgs>),
     Info(InfoArgs),
     Pattern(PatternArgs),
     Adapters(AdaptersArgs),

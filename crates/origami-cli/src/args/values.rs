@@ -31,6 +31,16 @@ pub(super) fn time_step(text: &str) -> Result<TimeStep, String> {
     }
 }
 
+/// `WxH`: pixels across and down.
+pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
+    let expected = || "expected pixels across and down, such as 1000x800".to_owned();
+    let (width, height) = text.split_once(['x', 'X']).ok_or_else(expected)?;
+    let pixels = |text: &str| text.trim().parse().ok().filter(|n: &u32| *n > 0).ok_or_else(expected);
+    let size = [pixels(width)?, pixels(height)?];
+    crate::draw::check_size(size)?;
+    Ok(size)
+}
+
 /// `KEY=VALUE`.
 pub(super) fn key_value(text: &str) -> Result<(String, f64), String> {
     match text.split_once('=') {
@@ -61,6 +71,9 @@ mod tests {
             }
             assert!(time_step(text).is_err() && key_value(&format!("a={text}")).is_err(), "{text}");
         }
+        for text in ["", "640", "x", "640x", "0x480", "-1x1", "1e3x1", "640x480x2"] {
+            assert!(size(text).is_err(), "{text}");
+        }
         assert!(share("-0.1").is_err() && share("1.1").is_err() && share("nan").is_err());
         assert!(positive("0").is_err() && at_least_zero("-0.1").is_err() && time_step("-1").is_err());
         assert!(key_value("columns").is_err() && key_value("=3").is_err());
@@ -73,6 +86,7 @@ mod tests {
         assert_eq!(at_least_zero("0"), Ok(0.0));
         assert_eq!(time_step("0.01"), Ok(TimeStep::Fixed(0.01)));
         assert_eq!(time_step("safe"), Ok(TimeStep::Safe));
+        assert_eq!(size("640x480"), Ok([640, 480]));
         assert_eq!(key_value("angle = 60"), Ok(("angle".to_owned(), 60.0)));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Method, Place};
 use crate::args::BackendName;
+use crate::draw::Brush;
 use crate::report::AdapterDetails;
 
 const ABSENT: &str = "this build has no GPU backend (feature `gpu`)";
@@ -27,6 +28,11 @@ impl Backend {
     /// The processor, whatever the size.
     pub(crate) fn place(&self, method: &Method, _nodes: usize) -> Place {
         Place::processor(method)
+    }
+
+    /// The processor's.
+    pub(crate) fn brush(&self) -> Brush {
+        Brush::default()
     }
 }
 

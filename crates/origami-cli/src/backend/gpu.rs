@@ -8,6 +8,7 @@ use origami::solve::Solver;
 
 use super::{Method, Place};
 use crate::args::BackendName;
+use crate::draw::Brush;
 use crate::report::{Adapter, AdapterDetails};
 
 /// The processor and a GPU, which is opened at most once, and only when it is needed.
@@ -49,6 +50,15 @@ impl Backend {
             Ok(gpu) => self.passed_over(method, &format!("{} is not hardware; --backend gpu takes it", gpu.adapter())),
             Err(error) => self.passed_over(method, &error.to_string()),
         }
+    }
+
+    /// The GPU's where there is one and this build can draw on it, else the processor's.
+    pub(crate) fn brush(&self) -> Brush {
+        #[cfg(feature = "render")]
+        if let Ok(gpu) = self.open() {
+            return Brush::on(gpu);
+        }
+        Brush::default()
     }
 
     fn open(&self) -> Result<&Gpu, &GpuError> {

@@ -4,6 +4,7 @@ mod adapters;
 mod fold;
 mod info;
 mod pattern;
+mod render;
 mod sweep;
 mod texts;
 
@@ -18,6 +19,7 @@ pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
     match cli.command {
         Command::Fold(args) => fold::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Render(args) => render::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Pattern(args) => pattern::run(&args),
         Command::Adapters(args) => adapters::run(&args),

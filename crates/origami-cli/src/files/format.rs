@@ -1,10 +1,10 @@
-//! Formats of geometry, and the extensions that stand for them.
+//! Formats, and the extensions that stand for them.
 
 use std::path::Path;
 
 use clap::ValueEnum;
 
-/// A format that geometry is written in.
+/// A format that folded sheets are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// FOLD: vertices, edges, faces, fold angles
@@ -13,23 +13,42 @@ pub(crate) enum Format {
     Obj,
     /// Binary STL: triangles
     Stl,
+    /// Binary glTF: the folding as an animation, for viewers
+    Glb,
+    /// A picture of the folded sheet
+    Png,
+    /// The crease pattern as SVG
+    Svg,
+    /// The pattern and stages in one picture; no folder takes these.
+    #[value(skip)]
+    Contact,
+    /// A moving picture, or pictures with numbers.
+    #[value(skip)]
+    Film,
 }
 
 impl Format {
+    const ALL: [Self; 6] = [Self::Fold, Self::Obj, Self::Stl, Self::Glb, Self::Png, Self::Svg];
+
+    /// Whether it needs what draws.
+    pub(crate) fn is_drawn(self) -> bool {
+        !matches!(self, Self::Fold | Self::Obj | Self::Stl)
+    }
+
     /// That of a path's extension, upper or lower case.
     ///
     /// # Errors
     /// What is wrong with the extension.
     pub(crate) fn of(path: &Path) -> Result<Self, String> {
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-        let known = [Self::Fold, Self::Obj, Self::Stl].into_iter().find(|format| format.extension() == extension);
+        let known = Self::ALL.into_iter().find(|format| format.extension() == extension);
         known.ok_or_else(|| {
             let problem = match extension.as_str() {
                 "" => "no extension tells the format".to_owned(),
                 other => format!("the format .{other} is not known"),
             };
             format!(
-                "{}: {problem}; expected .fold, .obj or .stl, an existing folder or a path ending in /",
+                "{}: {problem}; expected .fold, .obj, .stl, .glb, .png or .svg, an existing folder or a path ending in /",
                 path.display()
             )
         })
@@ -41,6 +60,9 @@ impl Format {
             Self::Fold => "fold",
             Self::Obj => "obj",
             Self::Stl => "stl",
+            Self::Glb => "glb",
+            Self::Png | Self::Contact | Self::Film => "png",
+            Self::Svg => "svg",
         }
     }
 }

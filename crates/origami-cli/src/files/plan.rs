@@ -103,6 +103,42 @@ fn is_folder(path: &Path) -> bool {
     path.as_os_str() != "-" && (path.is_dir() || path.to_string_lossy().ends_with(std::path::is_separator))
 }
 
+/// What a film or a contact sheet is written to: a file for the one input there is, beside its `targets`.
+///
+/// # Errors
+/// What cannot be done, and what was expected.
+pub(crate) fn plan_drawing(
+    inputs: &[Input],
+    targets: &mut [Vec<Target>],
+    option: &str,
+    path: &Path,
+    format: Format,
+) -> Result<(), String> {
+    let [targets] = targets else {
+        return Err(format!("{option} takes one input; expected it without the other {}", inputs.len() - 1));
+    };
+    if is_folder(path) || path.as_os_str() == "-" {
+        return Err(format!("{}: expected the path of a file for {option}", path.display()));
+    }
+    if format == Format::Contact {
+        refuse_other_than_png(option, path)?;
+    }
+    refuse_missing_folder(path)?;
+    targets.push(Target { destination: Destination::new(path), format, folder: None });
+    refuse_equal_targets(targets)
+}
+
+/// Whether the extension is that of a picture.
+///
+/// # Errors
+/// That it is not.
+pub(crate) fn refuse_other_than_png(option: &str, path: &Path) -> Result<(), String> {
+    match Format::of(path) {
+        Ok(Format::Png) => Ok(()),
+        _ => Err(format!("{}: expected a path ending in .png for {option}", path.display())),
+    }
+}
+
 fn in_folder(folder: &Path, input: &Input, format: Format) -> Target {
     let name = format!("{}.{}", input.stem(), format.extension());
     Target { destination: Destination::File(folder.join(name)), format, folder: Some(folder.to_owned()) }

@@ -5,11 +5,12 @@ use std::fs;
 use origami::export::{self, Stage, write_obj, write_stl, write_whole};
 use origami::fold::Document;
 use origami::model::Model;
-use origami::solve::Folded;
+use origami::solve::{Folded, State};
 use origami::{CreasePattern, Error};
 
 use super::{Destination, Format, Target};
 use crate::console;
+use crate::draw::{self, Artist, Subject};
 
 /// Own key: whether the state is within the tolerance of the equilibrium.
 const CONVERGED: &str = "origami:converged";
@@ -30,6 +31,23 @@ pub(crate) struct Sheet<'a> {
     pub(crate) states: &'a [Folded],
     /// Whether all of them go into files that can hold more than one.
     pub(crate) animated: bool,
+    /// What draws it.
+    pub(crate) artist: &'a Artist,
+    /// Pictures in a second, where that was asked for.
+    pub(crate) fps: Option<u16>,
+}
+
+impl Sheet<'_> {
+    /// Those of its states that go into a file of this format, with their percentages.
+    pub(crate) fn states_of(&self, format: Format) -> Vec<(f64, &State)> {
+        let all = match format {
+            Format::Contact => true,
+            Format::Glb | Format::Film => self.animated,
+            _ => false,
+        };
+        let first = if all { 0 } else { self.states.len().saturating_sub(1) };
+        self.states[first..].iter().map(|folded| (folded.percent, &folded.state)).collect()
+    }
 }
 
 /// Writes one file, whole or not at all.
@@ -41,7 +59,15 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<(), Error> {
     if let Some(folder) = &target.folder {
         fs::create_dir_all(folder).map_err(|source| Error::Io { path: folder.display().to_string(), source })?;
     }
+    let states = sheet.states_of(target.format);
+    let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
     match target.format {
+        Format::Png => whole(&target.destination, |writer| draw::png(sheet.artist, subject, writer)),
+        Format::Svg => whole(&target.destination, |writer| draw::svg(sheet.artist, sheet.pattern, writer)),
+        Format::Glb => whole(&target.destination, |writer| draw::glb(sheet.artist, subject, sheet.fps, writer)),
+        Format::Contact => whole(&target.destination, |writer| draw::contact(sheet.artist, subject, writer)),
+        // Written by whoever shows how far it has come.
+        Format::Film => Ok(()),
         Format::Fold => write_document(&target.destination, &sheet.fold()?),
         Format::Obj => {
             let positions = sheet.model.file_positions(sheet.pattern, &last.state.positions);
@@ -63,7 +89,11 @@ pub(crate) fn write_document(destination: &Destination, document: &Document) -> 
     whole(destination, |writer| document.write_to(writer))
 }
 
-fn whole(
+/// Writes anything, whole or not at all.
+///
+/// # Errors
+/// [`Error::Io`] where the system refuses, and whatever `content` returns.
+pub(crate) fn whole(
     destination: &Destination,
     content: impl FnOnce(&mut dyn std::io::Write) -> Result<(), Error>,
 ) -> Result<(), Error> {

@@ -87,8 +87,11 @@ pub(crate) struct Seconds {
     pub(crate) build: f64,
     /// The solver.
     pub(crate) solve: f64,
-    /// All outputs.
+    /// All outputs but pictures.
     pub(crate) write: f64,
+    /// Pictures, films and glTF; in a sweep a part of writing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) draw: Option<f64>,
 }
 
 /// Reports as JSON: an object for one input, an array for several.

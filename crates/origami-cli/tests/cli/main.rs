@@ -9,6 +9,7 @@ mod info;
 mod mutations;
 mod newton;
 mod pattern;
+mod picture;
 mod place;
 mod report;
 mod streams;

@@ -61,7 +61,7 @@ fn the_keys_are_those_promised() {
     assert_eq!(keys(&report["nodes_strain"]), ["mean", "rms", "max"]);
     assert_eq!(keys(&report["energy"]), ["beams", "creases", "corner_angles", "total"]);
     assert_eq!(keys(&report["angle_error_deg"]), ["mean", "max"]);
-    assert_eq!(keys(&report["seconds"]), ["read", "build", "solve", "write"]);
+    assert_eq!(keys(&report["seconds"]), ["read", "build", "solve", "write", "draw"]);
     assert_eq!(keys(&report["built"][0]), ["what", "count"]);
     assert_eq!(keys(&report["left_out"][0]), ["what", "count", "why"]);
 }

@@ -207,7 +207,7 @@ fn what_cannot_be_done_is_refused_before_any_work() {
         ("sweep square.fold -o out --perturbation 0.1,2", "`2`: expected a number from 0 to 1"),
         ("sweep square.fold -o out --seeds 0", "0 is not in 1..=1000000"),
         ("sweep square.fold -o out --backend tpu", "auto, cpu, gpu"),
-        ("sweep square.fold -o out --folded png", "png"),
+        ("sweep square.fold -o out --folded jpg", "jpg"),
         ("sweep square.fold -o out --folded obj,obj", "obj is named twice"),
         ("sweep square.fold -o out --frames 3", "--frames"),
         ("sweep square.fold square.fold -o out", "square.fold"),

@@ -8,24 +8,29 @@ use rayon::prelude::*;
 
 use crate::args::FoldArgs;
 use crate::console;
+use crate::draw;
 use crate::exit::{Exit, Failure};
 use crate::files::{self, Destination, Format, Input, Target};
 use crate::progress::ProgressLine;
 use crate::report::{self, Report};
 use crate::settings::{self, Settings};
 
-use one::Finished;
+use one::{Finished, Seen};
 use queue::Queue;
 
 /// Folds all inputs.
 pub(super) fn run(args: &FoldArgs) -> Result<Exit, Failure> {
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::new(path)).collect();
-    let settings = Settings::new(args)?;
-    let targets = files::plan(&inputs, &args.outputs, &args.formats)?;
+    let targets = plan(args, &inputs)?;
+    let drawn = targets.iter().flatten().any(|target| target.format.is_drawn());
+    let settings = Settings::new(args, drawn)?;
+    if let (Some(style), Some(_)) = (&settings.style, &args.sheet) {
+        draw::check_contact(style, settings.percents.len())?;
+    }
     let report_to = args.report.as_deref().map(Destination::new);
     check_streams(&inputs, &targets, report_to.as_ref())?;
     if !args.quiet {
-        settings::oddities(args).iter().for_each(console::warning);
+        settings::oddities(args, drawn).iter().for_each(console::warning);
         warn_of_single_stages(args, &targets);
     }
 
@@ -45,6 +50,27 @@ pub(super) fn run(args: &FoldArgs) -> Result<Exit, Failure> {
     Ok(exit)
 }
 
+/// Which files are written.
+fn plan(args: &FoldArgs, inputs: &[Input]) -> Result<Vec<Vec<Target>>, String> {
+    let mut outputs = args.outputs.clone();
+    if let Some(path) = &args.png {
+        files::refuse_other_than_png("--png", path)?;
+        outputs.push(path.clone());
+    }
+    let mut targets = files::plan(inputs, &outputs, &args.formats)?;
+    if let Some(path) = &args.sheet {
+        files::plan_drawing(inputs, &mut targets, "--sheet", path, Format::Contact)?;
+    }
+    if let Some(path) = &args.animate {
+        draw::check_film(path)?;
+        if args.frames.is_none() && args.turntable.is_none() {
+            return Err("--animate: nothing moves; expected --frames N, --turntable N or both".to_owned());
+        }
+        files::plan_drawing(inputs, &mut targets, "--animate", path, Format::Film)?;
+    }
+    Ok(targets)
+}
+
 fn fold_all(
     args: &FoldArgs,
     inputs: &[Input],
@@ -55,10 +81,10 @@ fn fold_all(
 ) -> Result<Vec<Finished>, Failure> {
     let stages = settings.percents.len();
     let fold = |(i, (input, targets)): (usize, (&Input, &Vec<Target>))| {
-        let mut observe = |stage, progress| {
-            if inputs.len() == 1 {
-                line.show(stage, stages, progress);
-            }
+        let mut observe = |seen| match seen {
+            _ if inputs.len() > 1 => {}
+            Seen::Stage(stage, progress) => line.show(stage, stages, progress),
+            Seen::Pictures(drawn, of) => line.show_pictures(drawn, of),
         };
         let mut finished = one::fold(input, targets, settings, &mut observe);
         queue.push(i, std::mem::take(&mut finished.told));
@@ -118,7 +144,7 @@ fn check_streams(inputs: &[Input], targets: &[Vec<Target>], report: Option<&Dest
 }
 
 fn warn_of_single_stages(args: &FoldArgs, targets: &[Vec<Target>]) {
-    let single = targets.iter().flatten().find(|target| target.format != Format::Fold);
+    let single = targets.iter().flatten().find(|target| matches!(target.format, Format::Obj | Format::Stl));
     if let (Some(_), Some(target)) = (args.frames, single) {
         console::warning(format!("{}: holds the last stage only; FOLD files hold all of them", target.destination));
     }

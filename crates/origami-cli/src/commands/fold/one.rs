@@ -2,14 +2,23 @@
 
 use origami::model::Model;
 use origami::solve::{Failed, Progress, Stop, fold_path};
-use origami::{CreasePattern, Error};
+use origami::{CreasePattern, Error, Warning};
 
 use super::summary::{self, Told};
+use crate::draw::{self, Artist, Brush, Subject};
 use crate::exit::Exit;
-use crate::files::{self, Input, Sheet, Target};
+use crate::files::{self, Destination, Format, Input, Sheet, Target};
 use crate::report::{Divergence, Ending, Measured, Report, Run, Scene, Seconds};
 use crate::settings::Settings;
 use crate::stopwatch::Stopwatch;
+
+/// How far one input has come.
+pub(super) enum Seen {
+    /// In this stage its solver has come so far.
+    Stage(usize, Progress),
+    /// So many pictures of a film are drawn, of so many.
+    Pictures(usize, usize),
+}
 
 /// What came of one input.
 pub(super) struct Finished {
@@ -19,12 +28,7 @@ pub(super) struct Finished {
 }
 
 /// Folds one input and writes its outputs. Nothing that is wrong with it stops the others.
-pub(super) fn fold(
-    input: &Input,
-    targets: &[Target],
-    settings: &Settings,
-    observe: &mut dyn FnMut(usize, Progress),
-) -> Finished {
+pub(super) fn fold(input: &Input, targets: &[Target], settings: &Settings, observe: &mut dyn FnMut(Seen)) -> Finished {
     let mut told = Told { input: input.to_string(), ..Told::default() };
     match attempt(input, targets, settings, observe, &mut told) {
         Ok((exit, report)) => Finished { exit, report, told },
@@ -45,7 +49,7 @@ fn attempt(
     input: &Input,
     targets: &[Target],
     settings: &Settings,
-    observe: &mut dyn FnMut(usize, Progress),
+    observe: &mut dyn FnMut(Seen),
     told: &mut Told,
 ) -> Result<(Exit, Report), Error> {
     let mut watch = Stopwatch::start();
@@ -62,8 +66,11 @@ fn attempt(
     let place = settings.backend.place(&settings.method, model.node_count());
     told.warnings.extend(place.warning);
     let scene = Scene::new(&pattern, &model, &place.solver.inventory(&model), &pattern.warnings);
-    let solved = fold_path(&model, place.solver.as_ref(), &settings.percents, observe);
+    let solved = fold_path(&model, place.solver.as_ref(), &settings.percents, &mut |stage, progress| {
+        observe(Seen::Stage(stage, progress));
+    });
     seconds.solve = watch.lap();
+    let on_gpu = place.adapter.is_some();
     let mut run = Run {
         input: input.to_string(),
         solver: settings.solver_name.name(),
@@ -105,6 +112,11 @@ fn attempt(
     run.measured = overall(&frames);
     run.frames = settings.animated.then_some(frames);
     watch.lap();
+    let artist = Artist {
+        style: settings.style.clone().unwrap_or_default(),
+        brush: if on_gpu && settings.style.is_some() { settings.backend.brush() } else { Brush::default() },
+    };
+    let mut drawing = watch.lap();
     let sheet = Sheet {
         document: &document,
         frame: index,
@@ -112,12 +124,18 @@ fn attempt(
         model: &model,
         states: &states,
         animated: settings.animated,
+        artist: &artist,
+        fps: settings.film.fps,
     };
     for target in targets {
-        files::write(target, &sheet)?;
-        run.outputs.push(target.destination.to_string());
+        run.outputs.extend(write(target, &sheet, settings, observe)?);
+        let seconds = watch.lap();
+        *(if target.format.is_drawn() { &mut drawing } else { &mut run.seconds.write }) += seconds;
     }
-    run.seconds.write = watch.lap();
+    run.seconds.draw = Some(drawing);
+    if let Some(trouble) = artist.brush.trouble() {
+        told.warnings.push(Warning::new("pictures", format!("drawn by the processor, since {trouble}")));
+    }
 
     told.summary = Some(summary::line(&run));
     let limited = states.iter().find(|folded| folded.stop == Stop::StepLimit);
@@ -125,6 +143,23 @@ fn attempt(
         told.errors.push(summary::not_converged(input, folded, settings.solver_name, settings.tolerance));
     }
     Ok((if limited.is_some() { Exit::NotConverged } else { Exit::Done }, Report::Folded(Box::new(run))))
+}
+
+/// Writes one target and says which files it is.
+fn write(
+    target: &Target,
+    sheet: &Sheet<'_>,
+    settings: &Settings,
+    observe: &mut dyn FnMut(Seen),
+) -> Result<Vec<String>, Error> {
+    if let (Format::Film, Destination::File(path)) = (target.format, &target.destination) {
+        let states = sheet.states_of(Format::Film);
+        let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
+        let mut drawn = |drawn, of| observe(Seen::Pictures(drawn, of));
+        return draw::film(sheet.artist, subject, settings.film, path, &mut drawn);
+    }
+    files::write(target, sheet)?;
+    Ok(vec![target.destination.to_string()])
 }
 
 /// The last state, with the steps of all of them; converged if all of them are.

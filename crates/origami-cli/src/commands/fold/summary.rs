@@ -50,7 +50,7 @@ pub(super) fn line(run: &Run) -> String {
         line += &format!(", on {} (software)", adapter.name);
     }
     let seconds = run.seconds;
-    let total = seconds.read + seconds.build + seconds.solve + seconds.write;
+    let total = seconds.read + seconds.build + seconds.solve + seconds.write + seconds.draw.unwrap_or(0.0);
     line + &format!(", {}", duration(Duration::from_secs_f64(total)))
 }
 

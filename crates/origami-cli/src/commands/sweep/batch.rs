@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::folder::Folder;
 use super::shares::Shares;
+use crate::draw::Artist;
 use crate::files::{self, Destination, Sheet, Target};
 use crate::progress::ProgressLine;
 use crate::report::{Divergence, Ending, Measured, Row, Scene, Seconds, Varied};
@@ -141,6 +142,7 @@ impl Work<'_> {
     }
 
     fn write(&self, index: usize, model: &Model, folded: Folded) -> Result<Vec<String>, Error> {
+        let artist = Artist::default();
         let sheet = Sheet {
             document: self.document,
             frame: self.frame,
@@ -148,6 +150,8 @@ impl Work<'_> {
             model,
             states: &[folded],
             animated: false,
+            artist: &artist,
+            fps: None,
         };
         let write = |format: &files::Format| {
             let destination = Destination::File(self.folder.sheet(index, *format));

@@ -8,8 +8,10 @@ mod summary;
 use origami::CreasePattern;
 use origami::export::write_whole;
 
+use crate::args::PictureArgs;
 use crate::args::SweepArgs;
 use crate::console;
+use crate::draw::Style;
 use crate::exit::{Exit, Failure};
 use crate::files::Input;
 use crate::progress::ProgressLine;
@@ -27,6 +29,9 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let method = settings::method(&args.solving, Some(0.0))?;
     let backend = settings::backend(&args.solving)?;
     let (sweep, count) = args.sweep()?;
+    if args.folded.iter().any(|format| format.is_drawn()) {
+        Style::new(&PictureArgs::default())?;
+    }
     let input = Input::new(&args.input);
     let folder = Folder::new(&args.output, &args.folded, count, &input)?;
     if !args.quiet {

@@ -1,0 +1,93 @@
+//! `origami render`: a frame of a file as it lies.
+
+mod lying;
+
+use std::time::Duration;
+
+use crate::args::{BackendName, RenderArgs, ViewName};
+use crate::backend::Backend;
+use crate::console;
+use crate::draw::{self, Artist, Brush, Style, Subject};
+use crate::exit::{Exit, Failure};
+use crate::files::{self, Destination, Format, Input, whole};
+use crate::numbers::duration;
+use crate::settings;
+use crate::stopwatch::Stopwatch;
+
+use lying::Lying;
+
+/// Draws it.
+pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
+    let mut watch = Stopwatch::start();
+    let input = Input::new(&args.input);
+    let outputs = outputs(args)?;
+    let style = Style::new(&args.picture)?;
+    let backend = Backend::new(args.backend, args.adapter.as_deref())?;
+    if !args.quiet {
+        settings::oddities_of_picture(&args.picture, true).iter().for_each(console::warning);
+    }
+
+    let told = |error| input.describe(&error);
+    let lying = Lying::read(&input, args.frame).map_err(told)?;
+    if !args.quiet {
+        lying.pattern.warnings.iter().for_each(console::warning);
+    }
+    let as_pattern = match args.view {
+        Some(view) => view == ViewName::Pattern,
+        None => lying.is_pattern,
+    };
+    if as_pattern && args.picture.quantity().is_some() {
+        let expected = "a folded form, `--view sheet`, or `origami fold` with --map";
+        let problem = "a crease pattern as it lies has nothing to map";
+        return Err(format!("{input}: frame {}: {problem}; expected {expected}", lying.frame).into());
+    }
+    let state = lying.state(args.picture.quantity()).map_err(told)?;
+    let states = [(0.0, &state)];
+    let subject = Subject { pattern: &lying.pattern, model: &lying.model, states: &states };
+    let brush = if args.backend == BackendName::Gpu { backend.brush() } else { Brush::default() };
+    let artist = Artist { style, brush };
+    for (destination, format) in &outputs {
+        whole(destination, |writer| match format {
+            Format::Svg => draw::svg(&artist, &lying.drawn, writer),
+            Format::Glb => draw::glb(&artist, subject, None, writer),
+            _ if as_pattern => draw::pattern_png(&artist, &lying.drawn, writer),
+            _ => draw::png(&artist, subject, writer),
+        })
+        .map_err(told)?;
+    }
+    if let (Some(trouble), false) = (artist.brush.trouble(), args.quiet) {
+        console::warning(format!("drawn by the processor, since {trouble}"));
+    }
+    if !args.quiet {
+        let names: Vec<String> = outputs.iter().map(|(destination, _)| destination.to_string()).collect();
+        let time = duration(Duration::from_secs_f64(watch.lap()));
+        let line = format!("{input}: frame {} drawn as {}, {time}", lying.frame, names.join(", "));
+        if names.iter().any(|name| name == "-") {
+            console::say(&line);
+        } else {
+            console::print(format!("{line}\n").as_bytes())?;
+        }
+    }
+    Ok(Exit::Done)
+}
+
+/// Where to write, and as what.
+fn outputs(args: &RenderArgs) -> Result<Vec<(Destination, Format)>, String> {
+    let mut outputs: Vec<(Destination, Format)> = Vec::new();
+    for path in &args.outputs {
+        let destination = Destination::new(path);
+        let format = match &destination {
+            Destination::Stdout => Format::Png,
+            Destination::File(path) => match Format::of(path) {
+                Ok(format) if format.is_drawn() => format,
+                _ => return Err(format!("{}: expected a path ending in .png, .svg or .glb", path.display())),
+            },
+        };
+        files::refuse_missing_folder(path)?;
+        if outputs.iter().any(|(other, _)| other.is(&destination)) {
+            return Err(format!("{destination} is named twice as an output; expected different ones"));
+        }
+        outputs.push((destination, format));
+    }
+    Ok(outputs)
+}

@@ -1,0 +1,79 @@
+//! Single pictures, crease patterns and glTF.
+
+use std::io::Write;
+
+use origami::picture::{Glb, Image, Picture, Scene, pattern};
+use origami::{CreasePattern, Error};
+
+use super::{Artist, Subject};
+
+/// Pixels of a picture of its own.
+const SIZE: [u32; 2] = [1000, 800];
+
+/// The last state as PNG.
+pub(crate) fn png(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
+    let Some(scene) = last(artist, subject) else { return Ok(()) };
+    let picture = artist.style.picture(SIZE);
+    let view = picture.view(&scene, scene.positions.iter().copied())?;
+    artist.brush.draw(&picture, &scene, &view)?.write_png(writer)
+}
+
+/// The scene of the last state.
+fn last(artist: &Artist, subject: Subject<'_>) -> Option<Scene> {
+    let (_, state) = subject.states.last()?;
+    let mut scene = Scene::new(subject.pattern, subject.model, &state.positions);
+    let only = [(0.0, *state)];
+    let clip = artist.style.clip(Subject { states: &only, ..subject });
+    artist.style.mapped(&mut scene, subject, state, clip);
+    Some(scene)
+}
+
+/// The flat pattern as PNG.
+pub(crate) fn pattern_png(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Write) -> Result<(), Error> {
+    draw_pattern(artist, pattern, &artist.style.pattern(SIZE))?.write_png(writer)
+}
+
+/// The flat pattern.
+pub(super) fn draw_pattern(artist: &Artist, pattern: &CreasePattern, picture: &Picture) -> Result<Image, Error> {
+    refuse_bent(pattern)?;
+    let scene = Scene::of_pattern(pattern)?;
+    let view = picture.view(&scene, scene.positions.iter().copied())?;
+    artist.brush.draw(picture, &scene, &view)
+}
+
+/// The flat pattern as SVG.
+pub(crate) fn svg(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Write) -> Result<(), Error> {
+    refuse_bent(pattern)?;
+    let Picture { theme, edges, width, height, .. } = artist.style.pattern(SIZE);
+    let svg = pattern::svg(pattern, &theme, edges, f64::from(width.max(height)));
+    writer.write_all(svg.as_bytes()).map_err(|source| Error::Io { path: "-".into(), source })
+}
+
+fn refuse_bent(pattern: &CreasePattern) -> Result<(), Error> {
+    if pattern.is_flat() {
+        return Ok(());
+    }
+    Err(Error::invalid(
+        "vertices_coords",
+        "the sheet is not flat, so it has no picture as a crease pattern",
+        "a flat one",
+    ))
+}
+
+/// Binary glTF that goes through all states.
+pub(crate) fn glb(
+    artist: &Artist,
+    subject: Subject<'_>,
+    fps: Option<u16>,
+    writer: &mut dyn Write,
+) -> Result<(), Error> {
+    let Some(scene) = last(artist, subject) else { return Ok(()) };
+    let Picture { theme, edges, .. } = artist.style.picture(SIZE);
+    let places = |(_, state): &(f64, &origami::State)| -> Vec<[f32; 3]> {
+        state.positions.iter().map(|p| p.to_array().map(|x| x as f32)).collect()
+    };
+    let states: Vec<_> = subject.states.iter().map(places).collect();
+    let own = Glb::default().seconds;
+    let seconds = fps.map_or(own, |fps| states.len().saturating_sub(1) as f32 / f32::from(fps));
+    Glb { theme, edges, seconds }.write(&scene, &states, writer)
+}

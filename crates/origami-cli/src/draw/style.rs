@@ -1,0 +1,148 @@
+//! From the command line to what the library draws.
+
+use origami::picture::{
+    Camera, ColourMap, LineSet, Map, Picture, Projection, Quantity, Rgb, Scene, Theme, map::round_up,
+};
+
+use super::{Ground, Subject};
+use crate::args::{CameraName, ColoursName, MapName, PictureArgs, ThemeName};
+
+/// How pictures look.
+#[derive(Clone, Default)]
+pub(crate) struct Style {
+    picture: Picture,
+    size: Option<[u32; 2]>,
+    edges: Option<LineSet>,
+    mapping: Option<Mapping>,
+}
+
+/// The least value that a map's last colour stands for unless one is asked for: percent of strain, degrees.
+const LEAST: f64 = 1e-3;
+/// The same of energy over area.
+const LEAST_ENERGY: f64 = 1e-9;
+
+/// What is shown as colours.
+#[derive(Clone, Copy)]
+struct Mapping {
+    quantity: Quantity,
+    colours: ColourMap,
+    clip: Option<f64>,
+}
+
+impl Style {
+    /// That of the arguments.
+    ///
+    /// # Errors
+    /// What is out of range.
+    pub(crate) fn new(args: &PictureArgs) -> Result<Self, String> {
+        let mut picture = Picture { camera: camera(args)?, theme: theme(args), ..Picture::default() };
+        picture.samples = args.samples.unwrap_or(picture.samples);
+        picture.line_width = args.line_width.map_or(picture.line_width, |width| width as f32);
+        picture.legend = !args.no_legend;
+        picture.caption = args.caption.clone().unwrap_or_default();
+        picture.edges = args.edges.unwrap_or(picture.edges);
+        let mapping = args.quantity().map(|quantity| Mapping {
+            quantity: quantity.into(),
+            colours: args.colours.map_or(ColourMap::default(), ColourMap::from),
+            clip: args.clip,
+        });
+        Ok(Self { picture, size: args.size, edges: args.edges, mapping })
+    }
+
+    /// A picture of the sheet; `size` holds where none was asked for.
+    pub(super) fn picture(&self, size: [u32; 2]) -> Picture {
+        let [width, height] = self.size.unwrap_or(size);
+        Picture { width, height, ..self.picture.clone() }
+    }
+
+    /// A picture of the flat pattern.
+    pub(super) fn pattern(&self, size: [u32; 2]) -> Picture {
+        let picture = self.picture(size).for_pattern();
+        Picture { edges: self.edges.unwrap_or(picture.edges), ..picture }
+    }
+
+    /// The map's scale for all states alike; `None` without a map.
+    pub(super) fn clip(&self, subject: Subject<'_>) -> Option<f64> {
+        let Mapping { quantity, colours, clip } = self.mapping?;
+        let largest = |(_, state): &(f64, &origami::State)| {
+            Map::new(quantity, subject.model, state, colours, None).values.largest()
+        };
+        // A scale of rounding errors would show them as if they were something.
+        let least = match quantity {
+            Quantity::EnergyDensity => LEAST_ENERGY,
+            Quantity::Strain | Quantity::FaceStrain | Quantity::AngleError => LEAST,
+        };
+        Some(clip.unwrap_or_else(|| round_up(subject.states.iter().map(largest).fold(least, f64::max))))
+    }
+
+    /// The scene with its map, if there is one.
+    pub(super) fn mapped(&self, scene: &mut Scene, subject: Subject<'_>, state: &origami::State, clip: Option<f64>) {
+        let map = |m: Mapping| Map::new(m.quantity, subject.model, state, m.colours, clip);
+        scene.map = self.mapping.map(map);
+    }
+
+    /// Whether nothing lies behind the sheet.
+    pub(super) fn is_transparent(&self) -> bool {
+        self.picture.theme.background.is_none()
+    }
+}
+
+fn camera(args: &PictureArgs) -> Result<Camera, String> {
+    let mut camera = match args.camera {
+        None | Some(CameraName::Default) => Camera::default(),
+        Some(CameraName::Top) => Camera::top(),
+        Some(CameraName::Front) => Camera::front(),
+        Some(CameraName::Isometric) => Camera::isometric(),
+    };
+    camera.azimuth = args.azimuth.unwrap_or(camera.azimuth);
+    camera.elevation = args.elevation.unwrap_or(camera.elevation);
+    camera.roll = args.roll.unwrap_or(camera.roll);
+    camera.zoom = args.zoom.unwrap_or(camera.zoom);
+    camera.projection = args.perspective.map_or(camera.projection, Projection::Perspective);
+    // Tried on a point, so that nothing is folded for a camera that cannot be.
+    let frame = origami::picture::Frame { width: 100, height: 100, margins: [0.0; 4] };
+    let tried = camera.view([[0.0; 3], [1.0; 3]].into_iter(), &frame);
+    tried.map(|_| camera).map_err(|error| error.to_string())
+}
+
+fn theme(args: &PictureArgs) -> Theme {
+    let mut theme = match args.theme {
+        None | Some(ThemeName::Paper) => Theme::paper(),
+        Some(ThemeName::White) => Theme::white(),
+        Some(ThemeName::Mono) => Theme::mono(),
+        Some(ThemeName::Dark) => Theme::dark(),
+    };
+    match &args.background {
+        None => {}
+        Some(Ground::Transparent) => theme.background = None,
+        Some(Ground::Plain(ground)) => {
+            theme.background = Some(*ground);
+            if theme.text.is_light() == ground.is_light() {
+                theme.text = if ground.is_light() { Rgb::BLACK } else { Rgb::WHITE };
+            }
+        }
+    }
+    theme
+}
+
+impl From<MapName> for Quantity {
+    fn from(name: MapName) -> Self {
+        match name {
+            MapName::Strain => Self::Strain,
+            MapName::FaceStrain => Self::FaceStrain,
+            MapName::AngleError => Self::AngleError,
+            MapName::Energy => Self::EnergyDensity,
+        }
+    }
+}
+
+impl From<ColoursName> for ColourMap {
+    fn from(name: ColoursName) -> Self {
+        match name {
+            ColoursName::Viridis => Self::Viridis,
+            ColoursName::Cividis => Self::Cividis,
+            ColoursName::Inferno => Self::Inferno,
+            ColoursName::Hue => Self::Hue,
+        }
+    }
+}

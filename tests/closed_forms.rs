@@ -5,13 +5,14 @@ mod common;
 
 use std::f64::consts::TAU;
 
+use common::model;
 use origami::generate::closed_form::{
     Degree4Mode, KreslingFold, YoshimuraFold, degree4, fold_angle, loop_closure, waterbomb_polar,
 };
 use origami::generate::{Degree4, Kresling, Miura, SingleCrease, WaterbombVertex, Yoshimura};
 use origami::glam::DVec3;
 use origami::measure::{align, edge_fold_angles};
-use origami::{CreasePattern, Folded, Material, Model, Relax, Solver, State};
+use origami::{CreasePattern, Folded, Model, Relax, Solver, State};
 
 /// A solver, and what is asked of it.
 struct Method {
@@ -42,10 +43,6 @@ fn by_each_solver(scene: impl Fn(&Method)) {
         eprintln!("by {}", method.name);
         scene(&method);
     }
-}
-
-fn model(pattern: &CreasePattern) -> Model {
-    Model::new(pattern, &Material::default()).expect("a generated pattern")
 }
 
 impl Method {

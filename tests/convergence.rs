@@ -2,22 +2,11 @@
 
 mod common;
 
+use common::{fold, made, model};
 use origami::generate::{self, catalog};
 use origami::measure::align;
 use origami::solve::{Stop, TimeStep, default_ramp};
-use origami::{CreasePattern, Dynamics, Folded, Material, Model, Relax, Solver, State};
-
-fn model(pattern: &CreasePattern) -> Model {
-    Model::new(pattern, &Material::default()).expect("a generated pattern")
-}
-
-fn made(name: &str) -> Model {
-    model(&catalog::generate(name, &[]).expect("default parameters"))
-}
-
-fn fold(model: &Model, solver: &dyn Solver, percent: f64) -> Folded {
-    solver.fold(model, &State::at_rest(model), percent, &mut |_| {}).expect("holds")
-}
+use origami::{Dynamics, Relax};
 
 #[test]
 fn converged_states_are_within_the_tolerance() {

@@ -2,30 +2,11 @@
 
 mod common;
 
+use common::Springs;
 use origami::forces::{Energy, Forces, creases, damping};
 use origami::glam::{DQuat, DVec3};
 use origami::{Material, Model, State};
 use proptest::prelude::*;
-
-/// Which springs a model has.
-#[derive(Clone, Copy, Debug)]
-enum Springs {
-    Beams,
-    Creases,
-    CornerAngles,
-}
-
-impl Springs {
-    /// The others as weak as the model allows, so that they cannot hide an error.
-    fn material(self) -> Material {
-        let none = Material { ea: 1e-12, k_fold: 0.0, k_facet: 0.0, k_face: 0.0, zeta: 0.45 };
-        match self {
-            Self::Beams => Material { ea: 20.0, ..none },
-            Self::Creases => Material { k_fold: 0.7, ..none },
-            Self::CornerAngles => Material { k_face: 0.2, ..none },
-        }
-    }
-}
 
 /// A hinge at rest and in another position: heights of its triangles, feet of these heights along the crease (0 to 1 lies
 /// on it), and its fold angle.

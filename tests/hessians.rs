@@ -2,33 +2,12 @@
 
 mod common;
 
+use common::Springs;
 use origami::forces::{Forces, creases, hessian};
 use origami::generate::catalog;
 use origami::glam::{DMat3, DQuat, DVec3};
 use origami::{Material, Model, Relax};
 use proptest::prelude::*;
-
-/// Which springs a model has.
-#[derive(Clone, Copy, Debug)]
-enum Springs {
-    Beams,
-    Creases,
-    CornerAngles,
-    All,
-}
-
-impl Springs {
-    /// The others as weak as the model allows, so that they cannot hide an error.
-    fn material(self) -> Material {
-        let none = Material { ea: 1e-12, k_fold: 0.0, k_facet: 0.0, k_face: 0.0, zeta: 0.45 };
-        match self {
-            Self::Beams => Material { ea: 20.0, ..none },
-            Self::Creases => Material { k_fold: 0.7, ..none },
-            Self::CornerAngles => Material { k_face: 0.2, ..none },
-            Self::All => Material::default(),
-        }
-    }
-}
 
 /// The whole Hessian, blocks by row and column of nodes.
 fn dense(model: &Model, positions: &[DVec3], targets: &[f64]) -> Vec<Vec<DMat3>> {

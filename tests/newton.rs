@@ -4,24 +4,13 @@
 
 mod common;
 
+use common::{fold, made, model};
 use origami::generate::{self, catalog};
 use origami::glam::DVec3;
 use origami::ids::NodeId;
 use origami::measure::align;
 use origami::solve::{Failed, Stop, fold_path};
-use origami::{CreasePattern, Folded, Material, Model, Newton, Relax, Solver, State};
-
-fn model(pattern: &CreasePattern) -> Model {
-    Model::new(pattern, &Material::default()).expect("a generated pattern")
-}
-
-fn made(name: &str) -> Model {
-    model(&catalog::generate(name, &[]).expect("default parameters"))
-}
-
-fn fold(model: &Model, solver: &dyn Solver, percent: f64) -> Folded {
-    solver.fold(model, &State::at_rest(model), percent, &mut |_| {}).expect("holds")
-}
+use origami::{Material, Model, Newton, Relax, Solver, State};
 
 fn energy(model: &Model, state: &State) -> f64 {
     state.energy(model).total()

@@ -4,10 +4,48 @@
 #[cfg(feature = "gpu")]
 pub(crate) mod gpu;
 
+use origami::generate::catalog;
 use origami::glam::DVec3;
 use origami::ids::VertexId;
 use origami::pattern::{Assignment, PatternEdge};
-use origami::{CreasePattern, Material, Model};
+use origami::{CreasePattern, Folded, Material, Model, Solver, State};
+
+/// Which springs a model has.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Springs {
+    Beams,
+    Creases,
+    CornerAngles,
+    All,
+}
+
+impl Springs {
+    /// The others as weak as the model allows, so that they cannot hide an error.
+    pub(crate) fn material(self) -> Material {
+        let none = Material { ea: 1e-12, k_fold: 0.0, k_facet: 0.0, k_face: 0.0, zeta: 0.45 };
+        match self {
+            Self::Beams => Material { ea: 20.0, ..none },
+            Self::Creases => Material { k_fold: 0.7, ..none },
+            Self::CornerAngles => Material { k_face: 0.2, ..none },
+            Self::All => Material::default(),
+        }
+    }
+}
+
+/// With the default material.
+pub(crate) fn model(pattern: &CreasePattern) -> Model {
+    Model::new(pattern, &Material::default()).expect("a generated pattern")
+}
+
+/// A generator's sheet with its default parameters.
+pub(crate) fn made(name: &str) -> Model {
+    model(&catalog::generate(name, &[]).expect("default parameters"))
+}
+
+/// From rest.
+pub(crate) fn fold(model: &Model, solver: &dyn Solver, percent: f64) -> Folded {
+    solver.fold(model, &State::at_rest(model), percent, &mut |_| {}).expect("holds")
+}
 
 /// An edge with a letter and an angle in radians.
 pub(crate) fn edge(a: u32, b: u32, assignment: Assignment, fold_angle: Option<f64>) -> PatternEdge {

@@ -89,6 +89,22 @@ impl Gpu {
         &self.inner.limits
     }
 
+    /// Bytes that a buffer may have which shaders read and write.
+    pub(crate) fn largest_buffer(&self) -> u64 {
+        self.limits().max_storage_buffer_binding_size.min(self.limits().max_buffer_size)
+    }
+
+    /// Whether a buffer of `needed` bytes is no larger than that; `what` it holds, for people.
+    ///
+    /// # Errors
+    /// [`GpuError::TooLarge`].
+    pub(crate) fn fits(&self, what: &'static str, needed: u64) -> Result<(), GpuError> {
+        match self.largest_buffer() {
+            allowed if needed > allowed => Err(GpuError::TooLarge { what, needed, allowed }),
+            _ => Ok(()),
+        }
+    }
+
     #[cfg(feature = "render")]
     pub(crate) fn has_sample_shading(&self) -> bool {
         self.inner.sample_shading

@@ -66,16 +66,28 @@ impl Engine {
     /// # Errors
     /// [`GpuError::TooLarge`] where a buffer is larger than the adapter allows, or what the device says.
     pub(crate) fn new(gpu: &Gpu, models: &[&Model], purpose: Purpose, instances: usize) -> Result<Self, GpuError> {
-        let scene = Scene::new(models);
-        let material = uniform(models);
-        let mut variant = Variant::new(&scene, purpose.motion, material);
-        let workgroup = workgroup_variant(&scene, &variant, purpose);
+        Self::of_scene(gpu, &Scene::new(models), uniform(models), purpose, instances)
+    }
+
+    /// The same for a scene, and the material of all its instances, or `None` where they differ.
+    ///
+    /// # Errors
+    /// As [`Engine::new`].
+    pub(crate) fn of_scene(
+        gpu: &Gpu,
+        scene: &Scene,
+        material: Option<Material>,
+        purpose: Purpose,
+        instances: usize,
+    ) -> Result<Self, GpuError> {
+        let mut variant = Variant::new(scene, purpose.motion, material);
+        let workgroup = workgroup_variant(scene, &variant, purpose);
         if let Some(workgroup) = &workgroup {
             variant.steps = workgroup.steps;
         }
         check_counts(&variant)?;
         gpu.scoped(|| {
-            let buffers = buffers(gpu, &scene, &variant, instances)?;
+            let buffers = buffers(gpu, scene, &variant, instances)?;
             Ok(Self::with_buffers(gpu, variant, workgroup.as_ref(), buffers, instances, purpose.safe))
         })?
     }
@@ -187,7 +199,7 @@ impl Engine {
 }
 
 /// The material that all models share.
-fn uniform(models: &[&Model]) -> Option<Material> {
+pub(crate) fn uniform(models: &[&Model]) -> Option<Material> {
     let material = models[0].material;
     models.iter().all(|m| m.material == material).then_some(material)
 }
@@ -270,14 +282,11 @@ pub(crate) fn sizes(scene: &Scene, variant: &Variant) -> Vec<(Binding, u64, u64)
 }
 
 fn buffers(gpu: &Gpu, scene: &Scene, variant: &Variant, instances: usize) -> Result<Buffers, GpuError> {
-    let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
     let mut buffers = Buffers::new();
     for (binding, each, once) in sizes(scene, variant) {
         // An empty binding is not allowed.
         let needed = (each * instances as u64 + once).max(64);
-        if needed > allowed {
-            return Err(GpuError::TooLarge { what: binding.what(), needed, allowed });
-        }
+        gpu.fits(binding.what(), needed)?;
         let buffer = gpu.device().create_buffer(&wgpu::BufferDescriptor {
             label: Some(binding.what()),
             size: needed,
@@ -302,11 +311,11 @@ fn buffers(gpu: &Gpu, scene: &Scene, variant: &Variant, instances: usize) -> Res
 }
 
 /// How many instances of a scene fit into the adapter's buffers.
-pub(crate) fn most_instances(gpu: &Gpu, models: &[&Model], motion: Motion) -> usize {
-    let scene = Scene::new(models);
-    let variant = Variant::new(&scene, motion, uniform(models));
-    let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
-    let fits = sizes(&scene, &variant).into_iter().filter(|(_, each, _)| *each > 0);
+pub(crate) fn most_instances(gpu: &Gpu, scene: &Scene, motion: Motion) -> usize {
+    // Buffers are as large with one material as with many.
+    let variant = Variant::new(scene, motion, None);
+    let allowed = gpu.largest_buffer();
+    let fits = sizes(scene, &variant).into_iter().filter(|(_, each, _)| *each > 0);
     let most = fits.map(|(_, each, once)| allowed.saturating_sub(once) / each).min().unwrap_or(1);
     usize::try_from(most.clamp(1, 65_535)).unwrap_or(1)
 }
@@ -380,7 +389,7 @@ mod tests {
         let Some(gpu) = gpu() else { return };
         let model = miura();
         let (mut scene, variant) = scene_and_variant(&model);
-        let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
+        let allowed = gpu.largest_buffer();
         // As if it had so many nodes: only what is allowed is ever made.
         scene.nodes = usize::try_from(allowed).expect("64 bits") / size_of::<Node>() + 1;
         let refused = buffers(&gpu, &scene, &variant, 1).expect_err("too large");
@@ -391,10 +400,10 @@ mod tests {
     #[test]
     fn as_many_instances_as_fit_and_no_more() {
         let Some(gpu) = gpu() else { return };
-        let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
+        let allowed = gpu.largest_buffer();
         for model in [miura(), sheets::loose_beams()] {
-            let most = most_instances(&gpu, &[&model], EULER) as u64;
             let (scene, variant) = scene_and_variant(&model);
+            let most = most_instances(&gpu, &scene, EULER) as u64;
             let largest = |count: u64| sizes(&scene, &variant).iter().map(|s| s.1 * count + s.2).max();
             assert!(largest(most) <= Some(allowed));
             assert!(most == 65_535 || largest(most + 1) > Some(allowed));

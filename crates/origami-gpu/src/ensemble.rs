@@ -4,8 +4,8 @@ use origami_core::model::Model;
 use origami_core::solve::{Failed, Folded, Instance, Progress};
 
 use crate::device::Gpu;
-use crate::engine::{Engine, Purpose, most_instances};
-use crate::scene::same_springs;
+use crate::engine::{Engine, Purpose, most_instances, uniform};
+use crate::scene::{Scene, same_springs};
 use crate::solver::{Method, backend};
 
 /// Runs all instances; results in their order.
@@ -16,24 +16,25 @@ pub(crate) fn fold_all<S: Method>(
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) + Sync),
 ) -> Vec<Result<Folded, Failed>> {
-    let most = |models: &[&Model]| most_instances(gpu, models, purpose.motion);
+    let most = |scene: &Scene| most_instances(gpu, scene, purpose.motion);
     in_runs(gpu, method, purpose, instances, observe, most)
 }
 
-/// The same with at most as many instances in one run as `most` says of their models.
+/// The same with at most as many instances in one run as `most` says of their scene.
 fn in_runs<S: Method>(
     gpu: &Gpu,
     method: &S,
     purpose: Purpose,
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) + Sync),
-    most: impl Fn(&[&Model]) -> usize,
+    most: impl Fn(&Scene) -> usize,
 ) -> Vec<Result<Folded, Failed>> {
     let mut results: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
     for group in groups(instances) {
         let models = different(group.iter().map(|i| instances[*i].model));
-        let most = most(&models);
-        let mut engine = Engine::new(gpu, &models, purpose, group.len().min(most));
+        let scene = Scene::new(&models);
+        let most = most(&scene);
+        let mut engine = Engine::of_scene(gpu, &scene, uniform(&models), purpose, group.len().min(most));
         for part in group.chunks(most) {
             let own: Vec<Instance<'_>> = part.iter().map(|i| instances[*i].clone()).collect();
             let came_to = match &mut engine {

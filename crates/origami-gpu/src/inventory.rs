@@ -3,8 +3,9 @@
 use origami_core::model::{Built, Inventory, LeftOut, Model};
 
 use crate::engine::{Purpose, is_by_workgroup};
+use crate::plan::Plan;
 use crate::scene::Scene;
-use crate::variant::{Motion, Variant};
+use crate::variant::Variant;
 
 /// The model's inventory `inventory`, and what the GPU's pipelines add to it.
 pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose) -> Inventory {
@@ -14,7 +15,8 @@ pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose) -> I
     if is_by_workgroup(&scene, &variant, purpose) {
         built("passes in one workgroup", 1);
     } else {
-        built("passes over all elements", if purpose.motion == Motion::Relax { 5 } else { 3 });
+        let plan = Plan::new(&variant, purpose.safe);
+        built("passes over all elements", plan.forces.len() - usize::from(variant.loose_beams > 0) + plan.motion.len());
     }
     if variant.loose_beams > 0 {
         built("pass of loose beams", variant.loose_beams);

@@ -1,5 +1,6 @@
 //! Copies on their way to the processor.
 
+use std::marker::PhantomData;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
@@ -11,9 +12,53 @@ use crate::error::GpuError;
 /// How long a callback may take that another thread has found due: it is about to run.
 const PATIENCE: Duration = Duration::from_secs(10);
 
+/// The first elements of a buffer, copied and asked for.
+#[derive(Debug)]
+pub(crate) struct Reading<T> {
+    mapped: Mapped,
+    size: u64,
+    submission: wgpu::SubmissionIndex,
+    what: &'static str,
+    elements: PhantomData<T>,
+}
+
+impl<T: Pod> Reading<T> {
+    /// Submits what `encoder` has recorded, and after it a copy of the first `count` elements of `from`; `what` they are, for
+    /// people. A refusal goes to the error scope that this is called in.
+    pub(crate) fn new(
+        gpu: &Gpu,
+        mut encoder: wgpu::CommandEncoder,
+        from: &wgpu::Buffer,
+        count: usize,
+        what: &'static str,
+    ) -> Self {
+        let size = (count * size_of::<T>()) as u64;
+        let copy = gpu.device().create_buffer(&wgpu::BufferDescriptor {
+            label: Some("what is read"),
+            size: size.max(4),
+            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        if size > 0 {
+            encoder.copy_buffer_to_buffer(from, 0, &copy, 0, size);
+        }
+        let submission = gpu.queue().submit([encoder.finish()]);
+        Self { mapped: Mapped::new(copy), size, submission, what, elements: PhantomData }
+    }
+
+    /// The elements, when they have come.
+    ///
+    /// # Errors
+    /// As [`Gpu::check`], and [`GpuError::Refused`] where they could not be read.
+    pub(crate) fn wait(self, gpu: &Gpu) -> Result<Vec<T>, GpuError> {
+        gpu.wait_for(self.submission)?;
+        self.mapped.contents(gpu, self.what, self.size)
+    }
+}
+
 /// A buffer that has been asked for.
 #[derive(Debug)]
-pub(crate) struct Mapped {
+struct Mapped {
     buffer: wgpu::Buffer,
     told: Receiver<Result<(), wgpu::BufferAsyncError>>,
 }
@@ -21,7 +66,7 @@ pub(crate) struct Mapped {
 impl Mapped {
     /// Asks for all of `buffer`, once what was submitted before is done. A refusal goes to the error scope that this is called
     /// in.
-    pub(crate) fn new(buffer: wgpu::Buffer) -> Self {
+    fn new(buffer: wgpu::Buffer) -> Self {
         let (tell, told) = channel();
         buffer.map_async(wgpu::MapMode::Read, .., move |result| {
             // Nobody may be waiting any more.
@@ -37,7 +82,7 @@ impl Mapped {
     ///
     /// # Errors
     /// As [`Gpu::check`], and [`GpuError::Refused`] where it could not be mapped.
-    pub(crate) fn contents<T: Pod>(&self, gpu: &Gpu, what: &str, size: u64) -> Result<Vec<T>, GpuError> {
+    fn contents<T: Pod>(&self, gpu: &Gpu, what: &str, size: u64) -> Result<Vec<T>, GpuError> {
         let refused = |why: String| GpuError::Refused(format!("{what} could not be read: {why}"));
         let told = self.told.recv_timeout(PATIENCE);
         gpu.check()?;

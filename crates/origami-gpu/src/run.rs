@@ -11,7 +11,7 @@ use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::kernels::Binding;
 use crate::layout::{Control, CreaseState, NONE, Node, single};
-use crate::mapped::Mapped;
+use crate::mapped::Reading;
 use crate::plan::batch;
 
 /// Submissions that are under way before the oldest is looked at: the queue never stands still.
@@ -68,7 +68,7 @@ impl Engine {
             }
             if under_way.len() > AHEAD || step == limit {
                 let Some((to, looked)) = under_way.pop_front() else { break };
-                let controls = looked.wait(self)?;
+                let controls = looked.wait(&self.gpu)?;
                 controls.iter().enumerate().for_each(|(i, control)| observe(i, control));
                 self.check_steps(&controls, to)?;
                 running = controls.iter().any(|c| c.stop == 0 && c.bad_node == NONE);
@@ -76,7 +76,7 @@ impl Engine {
         }
         // What still is under way finds all instances standing still.
         for (_, looked) in under_way {
-            looked.wait(self)?;
+            looked.wait(&self.gpu)?;
         }
         self.endings(beginnings.len())
     }
@@ -98,14 +98,19 @@ impl Engine {
         let mut controls = Vec::with_capacity(beginnings.len());
         let mut nodes = Vec::with_capacity(beginnings.len() * self.variant.nodes);
         let mut creases = Vec::with_capacity(beginnings.len() * self.variant.creases);
+        let mut softness: Vec<f32> = Vec::new();
+        let mut of = None;
         for beginning in beginnings {
             controls.push(control(beginning));
-            let softness = row_sums::soft_sums(beginning.model);
+            // Neighbours in an ensemble mostly share their model.
+            if !of.is_some_and(|model| std::ptr::eq(model, beginning.model)) {
+                softness = row_sums::soft_sums(beginning.model).into_iter().map(|sum| narrow(1.0 / sum)).collect();
+                of = Some(beginning.model);
+            }
             let start = &beginning.state;
-            for ((position, velocity), sum) in start.positions.iter().zip(&start.velocities).zip(softness) {
+            for ((position, velocity), softness) in start.positions.iter().zip(&start.velocities).zip(&softness) {
                 let velocity = if relaxing { DVec3::ZERO } else { *velocity };
-                let mut node =
-                    Node { mass: 1.0, softness: narrow(1.0 / sum), velocity: single(velocity), ..Node::default() };
+                let mut node = Node { mass: 1.0, softness: *softness, velocity: single(velocity), ..Node::default() };
                 node.place(*position);
                 nodes.push(node);
             }
@@ -138,7 +143,7 @@ impl Engine {
         }
     }
 
-    fn submit(&self, instances: usize, from: u64, to: u64) -> Result<Looked<Control>, GpuError> {
+    fn submit(&self, instances: usize, from: u64, to: u64) -> Result<Reading<Control>, GpuError> {
         #[expect(clippy::cast_possible_truncation, reason = "at most 65 535")]
         let count = instances as u32;
         self.gpu.scoped(|| {
@@ -152,20 +157,8 @@ impl Engine {
     }
 
     /// Copies the first `count` of a buffer for reading, after all that `encoder` has recorded.
-    fn look<T: Pod>(&self, mut encoder: wgpu::CommandEncoder, binding: Binding, count: usize) -> Looked<T> {
-        let size = (count * size_of::<T>()) as u64;
-        let copy = self.gpu.device().create_buffer(&wgpu::BufferDescriptor {
-            label: Some("what is read"),
-            size: size.max(4),
-            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        if size > 0 {
-            encoder.copy_buffer_to_buffer(&self.buffers[&binding], 0, &copy, 0, size);
-        }
-        let submission = self.gpu.queue().submit([encoder.finish()]);
-        let mapped = Mapped::new(copy);
-        Looked { mapped, size, submission, what: binding.what(), contents: std::marker::PhantomData }
+    fn look<T: Pod>(&self, encoder: wgpu::CommandEncoder, binding: Binding, count: usize) -> Reading<T> {
+        Reading::new(&self.gpu, encoder, &self.buffers[&binding], count, binding.what())
     }
 
     /// All of a buffer's first `count`.
@@ -174,7 +167,7 @@ impl Engine {
             let encoder = self.gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             self.look(encoder, binding, count)
         })?;
-        looked.wait(self)
+        looked.wait(&self.gpu)
     }
 
     fn endings(&self, instances: usize) -> Result<Vec<Ending>, GpuError> {
@@ -199,22 +192,6 @@ impl Engine {
             }
         };
         Ok(controls.into_iter().enumerate().map(ending).collect())
-    }
-}
-
-/// A copy on its way to the processor.
-struct Looked<T> {
-    mapped: Mapped,
-    size: u64,
-    submission: wgpu::SubmissionIndex,
-    what: &'static str,
-    contents: std::marker::PhantomData<T>,
-}
-
-impl<T: Pod> Looked<T> {
-    fn wait(self, engine: &Engine) -> Result<Vec<T>, GpuError> {
-        engine.gpu.wait_for(self.submission)?;
-        self.mapped.contents(&engine.gpu, self.what, self.size)
     }
 }
 

@@ -118,6 +118,17 @@ impl Kernel {
     }
 }
 
+/// The buffers of a workgroup that does all passes of its sheet.
+const WHOLE_SHEET: &[Binding] = &[
+    Binding::Control,
+    Binding::Nodes,
+    Binding::CreaseStates,
+    Binding::Hinges,
+    Binding::Faces,
+    Binding::Slots,
+    Binding::Rows,
+];
+
 /// The parts that tell how stiff a crease is.
 fn creases(variant: &Variant) -> Vec<&'static str> {
     vec![variant.material(), wgsl::ANGLE, wgsl::HINGE]

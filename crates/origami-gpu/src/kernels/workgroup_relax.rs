@@ -2,7 +2,7 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, springs};
+use super::{Kernel, Per, WHOLE_SHEET, springs};
 
 /// The kernel of `workgroup_relax.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
@@ -15,15 +15,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
         parts.extend(passes);
         parts
     },
-    uses: &[
-        Binding::Control,
-        Binding::Nodes,
-        Binding::CreaseStates,
-        Binding::Hinges,
-        Binding::Faces,
-        Binding::Slots,
-        Binding::Rows,
-    ],
+    uses: WHOLE_SHEET,
     springs: true,
     per: Per::Instance,
 };

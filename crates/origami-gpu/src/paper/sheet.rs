@@ -8,7 +8,7 @@ use origami_core::model::Model;
 use super::kernel::{Each, Kernel, PASSES, Pass, WORKGROUP};
 use super::layout::{Motion, NONE, Settings, Slot, Spring, Status};
 use super::lists::Lists;
-use crate::mapped::Mapped;
+use crate::mapped::Reading;
 use crate::{Gpu, GpuError};
 
 /// A sheet in the memory of a GPU, with the passes bound to it.
@@ -29,7 +29,7 @@ impl Sheet {
         let lists = Lists::new(model, time_step);
         let size = |slot| lists.size(slot);
         for slot in Slot::ALL {
-            check(gpu, slot.what(), size(slot) as u64, gpu.limits().max_storage_buffer_binding_size)?;
+            gpu.fits(slot.what(), size(slot) as u64)?;
         }
         let counts = [
             (lists.nodes.len(), Slot::Nodes),
@@ -116,24 +116,11 @@ impl Sheet {
 
     /// The first `count` elements of a buffer, once all that was submitted is done.
     pub(super) fn contents<T: Pod>(&self, slot: Slot, count: usize) -> Result<Vec<T>, GpuError> {
-        let size = (count * size_of::<T>()) as u64;
-        if size == 0 {
-            return Ok(Vec::new());
-        }
-        let mapped = self.gpu.scoped(|| {
-            let staging = self.gpu.device().create_buffer(&wgpu::BufferDescriptor {
-                label: Some("staging"),
-                size,
-                usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            });
-            let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
-            encoder.copy_buffer_to_buffer(&self.buffers[slot as usize], 0, &staging, 0, size);
-            self.gpu.queue().submit([encoder.finish()]);
-            Mapped::new(staging)
+        let reading = self.gpu.scoped(|| {
+            let encoder = self.gpu.device().create_command_encoder(&Default::default());
+            Reading::new(&self.gpu, encoder, &self.buffers[slot as usize], count, slot.what())
         })?;
-        self.gpu.wait()?;
-        mapped.contents(&self.gpu, slot.what(), size)
+        reading.wait(&self.gpu)
     }
 }
 

@@ -9,9 +9,10 @@ use origami_shaders::render::EXTREMES;
 
 use super::DrawError;
 use super::layout::Search;
-use super::resolve::{Reading, kernel};
+use super::resolve::kernel;
 use super::scene::{buffer, entries};
 use crate::device::Gpu;
+use crate::mapped::Reading;
 
 /// Directions all around in which a perspective camera looks for nodes: whatever lies between reaches beyond those found
 /// by 3 % of the sheet's radius at most (1 - cos of half the distance between two directions), less than the picture's
@@ -26,7 +27,7 @@ pub(super) struct Extremes {
 
 impl Extremes {
     pub(super) fn new(gpu: &Gpu) -> Self {
-        Self { pipeline: kernel(gpu, "find", EXTREMES) }
+        Self { pipeline: kernel(gpu, "find", EXTREMES, &[]) }
     }
 
     /// Those of `count` positions that the picture's camera has to see.
@@ -57,7 +58,7 @@ impl Extremes {
                 #[expect(clippy::cast_possible_truncation, reason = "at most 6 and AROUND")]
                 pass.dispatch_workgroups(directions.len() as u32, 1, 1);
             }
-            Reading::new(gpu, encoder, &found, size_of_val(&directions[..]) as u64)
+            Reading::new(gpu, encoder, &found, directions.len(), "the outermost nodes")
         })?;
         let found: Vec<[f32; 4]> = reading.wait(gpu)?;
         if !found.as_flattened().iter().all(|x| x.is_finite() && x.abs() < 1e18) {

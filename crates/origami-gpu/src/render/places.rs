@@ -3,7 +3,7 @@
 use origami_shaders::STATE;
 use origami_shaders::render::PLACES;
 
-use super::scene::check_size;
+use super::resolve::kernel;
 use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::kernels::Binding;
@@ -17,7 +17,7 @@ pub(super) fn source() -> String {
 pub(super) fn positions(engine: &Engine) -> Result<wgpu::Buffer, GpuError> {
     let (gpu, count) = (&engine.gpu, engine.variant.nodes);
     let size = count.max(1) * 16;
-    check_size(gpu, "the positions", size)?;
+    gpu.fits("the positions", size as u64)?;
     gpu.scoped(|| {
         let device = gpu.device();
         let positions = device.create_buffer(&wgpu::BufferDescriptor {
@@ -26,19 +26,8 @@ pub(super) fn positions(engine: &Engine) -> Result<wgpu::Buffer, GpuError> {
             usage: wgpu::BufferUsages::STORAGE,
             mapped_at_creation: false,
         });
-        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("positions"),
-            source: wgpu::ShaderSource::Wgsl(source().into()),
-        });
         let constants = [("NODES", count as f64), ("WORKGROUP", f64::from(engine.variant.workgroup))];
-        let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some("positions"),
-            layout: None,
-            module: &module,
-            entry_point: Some("place_nodes"),
-            compilation_options: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
-            cache: None,
-        });
+        let pipeline = kernel(gpu, "place_nodes", &source(), &constants);
         let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("positions"),
             layout: &pipeline.get_bind_group_layout(0),

@@ -1,14 +1,11 @@
 //! From light to bytes, on the GPU, and from there to the processor.
 
-use std::sync::{Arc, OnceLock};
-
-use bytemuck::Pod;
 use origami_shaders::render::RESOLVE;
 
 use super::layout::Resolve;
 use super::scene::buffer;
 use crate::device::Gpu;
-use crate::error::GpuError;
+use crate::mapped::Reading;
 
 /// The kernel that finishes tiles.
 #[derive(Debug)]
@@ -18,7 +15,7 @@ pub(super) struct Resolver {
 
 impl Resolver {
     pub(super) fn new(gpu: &Gpu) -> Self {
-        Self { pipeline: kernel(gpu, "resolve", RESOLVE) }
+        Self { pipeline: kernel(gpu, "resolve", RESOLVE, &[]) }
     }
 
     /// Records the finishing of a tile after what `encoder` has recorded, submits it all and begins to read.
@@ -28,7 +25,7 @@ impl Resolver {
         mut encoder: wgpu::CommandEncoder,
         light: &wgpu::TextureView,
         settings: &Resolve,
-    ) -> Reading {
+    ) -> Reading<u8> {
         let [width, height] = settings.size;
         let size = 4 * u64::from(width) * u64::from(height);
         let pixels = gpu.device().create_buffer(&wgpu::BufferDescriptor {
@@ -53,12 +50,12 @@ impl Resolver {
             pass.set_bind_group(0, &bindings, &[]);
             pass.dispatch_workgroups(width.div_ceil(8), height.div_ceil(8), 1);
         }
-        Reading::new(gpu, encoder, &pixels, size)
+        Reading::new(gpu, encoder, &pixels, size as usize, "the picture")
     }
 }
 
-/// A compute pipeline, bound as its text says.
-pub(super) fn kernel(gpu: &Gpu, entry: &str, text: &str) -> wgpu::ComputePipeline {
+/// A compute pipeline, bound as its text says, with its constants.
+pub(super) fn kernel(gpu: &Gpu, entry: &str, text: &str, constants: &[(&str, f64)]) -> wgpu::ComputePipeline {
     let module = gpu.device().create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(entry),
         source: wgpu::ShaderSource::Wgsl(text.into()),
@@ -68,46 +65,7 @@ pub(super) fn kernel(gpu: &Gpu, entry: &str, text: &str) -> wgpu::ComputePipelin
         layout: None,
         module: &module,
         entry_point: Some(entry),
-        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
         cache: None,
     })
-}
-
-/// A copy on its way to the processor.
-#[derive(Debug)]
-pub(super) struct Reading {
-    copy: wgpu::Buffer,
-    submission: wgpu::SubmissionIndex,
-    mapped: Arc<OnceLock<bool>>,
-}
-
-impl Reading {
-    /// Submits what `encoder` has recorded, and then copies a buffer for reading.
-    pub(super) fn new(gpu: &Gpu, mut encoder: wgpu::CommandEncoder, from: &wgpu::Buffer, size: u64) -> Self {
-        let copy = gpu.device().create_buffer(&wgpu::BufferDescriptor {
-            label: Some("what is read"),
-            size,
-            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        encoder.copy_buffer_to_buffer(from, 0, &copy, 0, size);
-        let submission = gpu.queue().submit([encoder.finish()]);
-        let mapped = Arc::new(OnceLock::new());
-        let told = Arc::clone(&mapped);
-        copy.map_async(wgpu::MapMode::Read, .., move |result| {
-            let _ = told.set(result.is_ok());
-        });
-        Self { copy, submission, mapped }
-    }
-
-    pub(super) fn wait<T: Pod>(self, gpu: &Gpu) -> Result<Vec<T>, GpuError> {
-        gpu.wait_for(self.submission)?;
-        if self.mapped.get() != Some(&true) {
-            return Err(GpuError::Refused("the picture could not be read".to_owned()));
-        }
-        let view = self.copy.get_mapped_range(..);
-        let view = view.map_err(|error| GpuError::Refused(format!("the picture could not be read: {error}")))?;
-        // A mapped buffer need not be aligned as the contents are.
-        Ok(bytemuck::pod_collect_to_vec(&view[..]))
-    }
 }

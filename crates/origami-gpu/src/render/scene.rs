@@ -66,7 +66,7 @@ impl Uploaded {
             ("the corners of the lines", size_of_val(&line_indices[..])),
             ("the map", size_of_val(&shares[..])),
         ] {
-            check_size(gpu, what, size)?;
+            gpu.fits(what, size as u64)?;
         }
         let background = picture.theme.background;
         gpu.scoped(|| {
@@ -120,15 +120,6 @@ pub(super) fn buffer<T: Pod>(gpu: &Gpu, contents: &[T], usage: wgpu::BufferUsage
 pub(super) fn entries<'b>(buffers: &[&'b wgpu::Buffer]) -> Vec<wgpu::BindGroupEntry<'b>> {
     let numbered = (0..).zip(buffers);
     numbered.map(|(binding, b)| wgpu::BindGroupEntry { binding, resource: b.as_entire_binding() }).collect()
-}
-
-/// A binding cannot be larger than the adapter allows.
-pub(super) fn check_size(gpu: &Gpu, what: &'static str, size: usize) -> Result<(), GpuError> {
-    let allowed = gpu.limits().max_storage_buffer_binding_size.min(gpu.limits().max_buffer_size);
-    match size as u64 {
-        needed if needed > allowed => Err(GpuError::TooLarge { what, needed, allowed }),
-        _ => Ok(()),
-    }
 }
 
 /// Corners are counted in 32 bits.

@@ -1,0 +1,12 @@
+//! Error against run time and force evaluations.
+
+use crate::{Options, Study, StudyError, Watch};
+
+/// Runs the study.
+///
+/// # Errors
+/// Where a pattern makes no model.
+pub fn study(options: &Options, watch: &mut dyn Watch) -> Result<Study, StudyError> {
+    let _ = (options, watch);
+    Ok(Study { name: "accuracy", title: "Accuracy".into(), parts: Vec::new() })
+}

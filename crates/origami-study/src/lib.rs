@@ -1,0 +1,19 @@
+//! Studies of the solvers: error against run time, and what holds on stiff and extreme scenes.
+//!
+//! A study runs scenes and collects its rows in a [`Study`]: tables, plots and the text between them, which
+//! [`Study::write`] makes files of.
+#![forbid(unsafe_code)]
+
+pub mod accuracy;
+mod gpus;
+mod options;
+mod plot;
+pub mod stability;
+mod study;
+mod table;
+
+pub use gpus::Gpus;
+pub use options::{Options, Watch};
+pub use plot::{Axis, Mark, Plot, PlotError, Scale, Series};
+pub use study::{Part, Study, StudyError};
+pub use table::{Cell, Column, Table};

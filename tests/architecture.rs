@@ -19,7 +19,7 @@ const MAY_USE: [(&str, &[&str]); 11] = [
     ("model", &["error", "ids", "mesh", "pattern"]),
     ("forces", &["ids", "model"]),
     ("solve", &["error", "forces", "ids", "model"]),
-    ("measure", &["forces", "mesh", "model", "pattern", "solve"]),
+    ("measure", &["forces", "generate", "ids", "mesh", "model", "pattern", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "solve"]),
 ];
 

@@ -40,7 +40,7 @@ pub fn study(options: &Options, watch: &mut dyn Watch) -> Result<Study, StudyErr
     }
 
     let mut parts = text::introduction(&found, options);
-    parts.extend(text::runs(&found));
+    parts.extend(text::runs(&found, options));
     if shipped {
         let closed = closed::run(|what| watch.ran(what))?;
         parts.extend(text::closed_forms(closed));

@@ -15,8 +15,8 @@ pub(super) fn introduction(found: &Found, options: &Options) -> Vec<Part> {
     let mut parts = vec![text(
         "Errors are distances of vertices from the equilibrium itself, in radii of the sheet, after the best rigid motion. \
          The equilibrium is what `newton` finds, to a residual of 1e-10 and better, from where `relax` ends. A run that ends \
-         in another equilibrium is measured against that one, and its row says so. Seconds are of solving alone, on one \
-         thread, the least of three for short runs.",
+         in another equilibrium is measured against that one, and its row says so. Seconds are of solving alone; the least \
+         of three for short runs, and never more than those of a longer run.",
     )];
     parts.push(text(match options.gpu.name() {
         Some(name) => format!("Runs on a GPU are on {name}; building its pipelines is not in their seconds."),
@@ -32,8 +32,11 @@ pub(super) fn introduction(found: &Found, options: &Options) -> Vec<Part> {
     parts
 }
 
-pub(super) fn runs(found: &Found) -> Vec<Part> {
-    let note = "one thread";
+pub(super) fn runs(found: &Found, options: &Options) -> Vec<Part> {
+    let note = &match options.gpu.name() {
+        Some(name) => format!("processor, and dashed on {name}"),
+        None => "processor".into(),
+    };
     let mut parts = vec![heading("Solvers side by side")];
     let jumps = found.references.iter().filter(|(scene, _)| scene.in_full);
     for (scene, _) in jumps {

@@ -109,6 +109,7 @@ pub(super) fn of_relax(scene: &Scene, relax: &Relax, on: On<'_>, deadline: Deadl
         evaluations += further(scene, evaluations, 5);
     }
     trail.looks.push(look(&claim.0, claim.0.steps, claim.1));
+    bound_by_later(&mut trail.looks);
     trail.last = Some(claim.0.clone());
     (trail, Some(claim.0))
 }
@@ -166,6 +167,7 @@ pub(super) fn of_newton(scene: &Scene, from: From, deadline: Deadline) -> Trail 
             Err(failed) => trail.failed = Some(failed.to_string()),
         }
     }
+    bound_by_later(&mut trail.looks);
     trail
 }
 
@@ -189,6 +191,15 @@ fn timed(method: OnEither, model: &Model, start: &State, percent: f64, on: On<'_
 
 fn look(folded: &Folded, evaluations: u64, seconds: f64) -> Look {
     Look { evaluations, factorisations: None, seconds, positions: folded.state.positions.clone() }
+}
+
+/// A run that goes further and took less time shows that a shorter one was held up by something else.
+fn bound_by_later(looks: &mut [Look]) {
+    let mut least = f64::INFINITY;
+    for look in looks.iter_mut().rev() {
+        least = least.min(look.seconds);
+        look.seconds = least;
+    }
 }
 
 /// How many evaluations lie between a look and the next: a multiple of `unit`, and at least that.

@@ -116,28 +116,30 @@ fn number_nodes(pattern: &CreasePattern, triangles: &[[VertexId; 3]]) -> (Vec<Ve
         vertex_of_node.iter().enumerate().for_each(|(i, v)| node_of_vertex[v.index()] = Some(NodeId::new(i)));
     };
     number(&mut node_of_vertex, &vertex_of_node);
-    if let Some(order) = order::better(&neighbours(pattern, triangles, &node_of_vertex, vertex_of_node.len())) {
+    let nodes = vertex_of_node.len();
+    if order::is_scattered(nodes, neighbours(pattern, triangles, &node_of_vertex)) {
+        let neighbours = Csr::new(nodes, neighbours(pattern, triangles, &node_of_vertex));
+        let order = order::reverse_cuthill_mckee(&neighbours);
         vertex_of_node = order.iter().map(|n| vertex_of_node[n.index()]).collect();
         number(&mut node_of_vertex, &vertex_of_node);
     }
     (vertex_of_node, node_of_vertex)
 }
 
-/// The nodes beside each node, some of them twice: along sides of triangles, and along edges in both directions, since not
-/// every side has a triangle on either hand.
+/// Each node with the nodes beside it, some of them twice: along sides of triangles, and along edges in both directions,
+/// since not every side has a triangle on either hand.
 fn neighbours(
     pattern: &CreasePattern,
     triangles: &[[VertexId; 3]],
     node_of_vertex: &[Option<NodeId>],
-    nodes: usize,
-) -> Csr<NodeId> {
+) -> impl Iterator<Item = (usize, NodeId)> + Clone {
     let along_triangles = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let along_edges = own_edges(pattern).flat_map(|(_, [a, b])| [[a, b], [b, a]]);
     let numbered = |ends: [VertexId; 2]| {
         let [a, b] = ends.map(|v| node_of_vertex[v.index()]);
         Some((a?.index(), b?))
     };
-    Csr::new(nodes, along_triangles.chain(along_edges).filter_map(numbered))
+    along_triangles.chain(along_edges).filter_map(numbered)
 }
 
 /// The triangles in the order of their lowest nodes, those of one node in the order given; and the place of each.

@@ -1,7 +1,7 @@
 //! The order of nodes in memory. Forces visit the nodes side by side, triangle by triangle: where neighbours in the sheet
 //! lie far apart in memory, each visit waits for it.
 //!
-//! Reverse Cuthill-McKee: E. Cuthill and J. McKee, Proc. 24th Nat. Conf. ACM (1969) 157; the end to start from after
+//! [`reverse_cuthill_mckee`]: E. Cuthill and J. `McKee`, Proc. 24th Nat. Conf. ACM (1969) 157; the end to start from after
 //! A. George and J. W. H. Liu, ACM Trans. Math. Software 5 (1979) 284.
 
 use std::cmp::Reverse;
@@ -14,23 +14,20 @@ const SMALL: usize = 1000;
 /// Walks in search of an end of the sheet; the second one mostly finds it.
 const WALKS: usize = 4;
 
-/// The order in which nodes with these neighbours are to be numbered, or `None` where they are numbered well: few of them,
-/// or neighbours no farther apart than in a square sheet that is numbered row by row.
-pub(super) fn better(neighbours: &Csr<NodeId>) -> Option<Vec<NodeId>> {
-    let nodes = neighbours.rows();
-    let square = (nodes as f64).sqrt();
-    (nodes >= SMALL && mean_span(neighbours) > square).then(|| reverse_cuthill_mckee(neighbours))
-}
-
-/// How far apart the numbers of neighbours are.
-fn mean_span(neighbours: &Csr<NodeId>) -> f64 {
-    let spans = |n: usize| neighbours.of(n).iter().map(move |m| n.abs_diff(m.index()) as u64).sum::<u64>();
-    (0..neighbours.rows()).map(spans).sum::<u64>() as f64 / neighbours.items().len().max(1) as f64
+/// Whether another order would be faster: where there are many nodes, and neighbours (given as pairs) are farther apart than
+/// in a square sheet that is numbered row by row.
+pub(super) fn is_scattered(nodes: usize, neighbours: impl Iterator<Item = (usize, NodeId)>) -> bool {
+    if nodes < SMALL {
+        return false;
+    }
+    let add = |(spans, count), (a, b): (usize, NodeId)| (spans + a.abs_diff(b.index()) as u64, count + 1_u64);
+    let (spans, count) = neighbours.fold((0, 0), add);
+    spans as f64 > (nodes as f64).sqrt() * count as f64
 }
 
 /// The nodes of each connected part level by level from one of its ends, backwards. Parts come in the order of their first
 /// nodes.
-fn reverse_cuthill_mckee(neighbours: &Csr<NodeId>) -> Vec<NodeId> {
+pub(super) fn reverse_cuthill_mckee(neighbours: &Csr<NodeId>) -> Vec<NodeId> {
     let mut walker = Walker { neighbours, seen: vec![0; neighbours.rows()], walks: 0 };
     let mut order = Vec::with_capacity(neighbours.rows());
     for seed in 0..neighbours.rows() {
@@ -103,9 +100,12 @@ mod tests {
     use crate::generate::miura;
     use crate::model::{Material, Model};
 
-    fn neighbours(nodes: usize, sides: &[[usize; 2]]) -> Csr<NodeId> {
-        let both = sides.iter().flat_map(|&[a, b]| [(a, NodeId::new(b)), (b, NodeId::new(a))]);
-        Csr::new(nodes, both)
+    fn both(sides: &[[usize; 2]]) -> impl Iterator<Item = (usize, NodeId)> + Clone {
+        sides.iter().flat_map(|&[a, b]| [(a, NodeId::new(b)), (b, NodeId::new(a))])
+    }
+
+    fn order(nodes: usize, sides: &[[usize; 2]]) -> Vec<NodeId> {
+        reverse_cuthill_mckee(&Csr::new(nodes, both(sides)))
     }
 
     fn sides_of_miura(columns: usize, rows: usize) -> (usize, Vec<[usize; 2]>) {
@@ -133,7 +133,8 @@ mod tests {
             let given: Vec<NodeId> = (0..nodes).map(NodeId::new).collect();
             let shuffled = shuffled(nodes, &sides);
             assert!(bandwidth(&shuffled, &given) > nodes / 2, "the shuffle shuffles");
-            let order = better(&neighbours(nodes, &shuffled)).expect("a shuffled sheet has a better order");
+            assert!(is_scattered(nodes, both(&shuffled)));
+            let order = order(nodes, &shuffled);
             let natural = (columns.min(rows) + 2) as f64;
             let width = bandwidth(&shuffled, &order) as f64;
             assert!(width <= 1.5 * natural, "{columns} x {rows}: {width}, natural {natural}");
@@ -143,17 +144,17 @@ mod tests {
     #[test]
     fn small_and_well_ordered_sheets_stay_as_they_are() {
         let (nodes, sides) = sides_of_miura(39, 39);
-        assert_eq!(better(&neighbours(nodes, &sides)), None);
+        assert!(!is_scattered(nodes, both(&sides)));
         let (nodes, sides) = sides_of_miura(20, 20);
-        assert_eq!(better(&neighbours(nodes, &shuffled(nodes, &sides))), None);
-        assert_eq!(better(&neighbours(0, &[])), None);
+        assert!(!is_scattered(nodes, both(&shuffled(nodes, &sides))));
+        assert!(!is_scattered(0, both(&[])) && order(0, &[]).is_empty());
     }
 
     #[test]
     fn parts_and_single_nodes_keep_their_places() {
         // Two strips of three and a node alone between them.
         let sides = [[4, 6], [6, 5], [0, 2], [2, 1]];
-        let order = reverse_cuthill_mckee(&neighbours(7, &sides));
+        let order = order(7, &sides);
         assert_eq!(bandwidth(&sides, &order), 1);
         assert_eq!(order[3], NodeId(3));
         assert!(order[..3].iter().all(|n| n.index() < 3));

@@ -83,6 +83,11 @@ impl BoxTree {
         node
     }
 
+    /// All items, those that lie near each other one after the other.
+    pub(super) fn items(&self) -> &[u32] {
+        &self.items
+    }
+
     /// Visits all items in boxes for which `near` holds, roughly from the right and from above.
     pub(super) fn visit(&self, near: impl Fn(&Bounds) -> bool, mut visit: impl FnMut(usize)) {
         let mut stack = vec![0usize];

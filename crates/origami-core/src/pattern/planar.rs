@@ -103,30 +103,53 @@ impl Graph {
     fn meetings(&mut self, pieces: &[Piece]) -> Result<Vec<Split>, Error> {
         let bounds: Vec<_> = pieces.iter().map(|piece| Bounds::of(self.ends(piece)[0], self.ends(piece)[1])).collect();
         let tree = BoxTree::new(&bounds);
-        let mut splits = Vec::new();
-        let mut near = Vec::new();
-        for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| piece.fresh) {
-            let [a, b] = self.ends(piece);
+        // In the tree's order, so that what is looked at next is at hand; few pairs have more to be done.
+        let mut pairs = Vec::new();
+        for &index in tree.items().iter().filter(|&&index| pieces[index as usize].fresh) {
+            let index = index as usize;
+            let [a, b] = self.ends(&pieces[index]);
             let own = bounds[index].grown(self.touch);
             let wanted = |other: &Bounds| own.overlaps(other) && !other.grown(self.touch).misses_line(a, b - a);
-            near.clear();
             tree.visit(wanted, |other| {
-                if other != index && !(pieces[other].fresh && other < index) && own.overlaps(&bounds[other]) {
-                    near.push(other);
+                if other != index
+                    && !(pieces[other].fresh && other < index)
+                    && own.overlaps(&bounds[other])
+                    && self.is_meeting(&pieces[index], &pieces[other])
+                {
+                    pairs.push((index, other));
                 }
             });
-            near.sort_unstable();
-            for &other in &near {
-                self.meet(pieces, index, other, &mut splits);
-            }
-            if splits.len() > MOST_PIECES {
+            if pairs.len() > MOST_PIECES {
                 return Err(crowded());
             }
+        }
+        pairs.sort_unstable();
+        let mut splits = Vec::new();
+        for (index, other) in pairs {
+            self.meet(pieces, index, other, &mut splits);
         }
         splits.sort_by_key(|split| (split.piece, split.vertex));
         splits.dedup_by_key(|split| (split.piece, split.vertex));
         splits.sort_by(|a, b| a.piece.cmp(&b.piece).then(a.at.total_cmp(&b.at)));
         Ok(splits)
+    }
+
+    /// Whether one has an end on the other, or they cross.
+    fn is_meeting(&self, one: &Piece, two: &Piece) -> bool {
+        let touching = |end: &Piece, line: &Piece| {
+            end.ends.iter().any(|v| !line.ends.contains(v) && self.touches(*v, line).is_some())
+        };
+        let share = one.ends.iter().any(|v| two.ends.contains(v));
+        touching(one, two) || touching(two, one) || (!share && self.crossing(one, two).is_some())
+    }
+
+    /// At which fractions of their lengths the two cross.
+    fn crossing(&self, one: &Piece, two: &Piece) -> Option<(f64, f64)> {
+        let ([a, b], [c, d]) = (self.ends(one), self.ends(two));
+        let (at_a, at_b) = (orient(c, d, a), orient(c, d, b));
+        let (at_c, at_d) = (orient(a, b, c), orient(a, b, d));
+        let crosses = (at_a > 0.0) != (at_b > 0.0) && (at_c > 0.0) != (at_d > 0.0);
+        crosses.then(|| (at_a / (at_a - at_b), at_c / (at_c - at_d)))
     }
 
     /// Splits for pieces `i` and `j`: at ends that lie on the other one, else where they cross.
@@ -144,13 +167,8 @@ impl Graph {
         if share || splits.len() > before {
             return;
         }
-        let ([a, b], [c, d]) = (self.ends(&pieces[i]), self.ends(&pieces[j]));
-        let (at_a, at_b) = (orient(c, d, a), orient(c, d, b));
-        let (at_c, at_d) = (orient(a, b, c), orient(a, b, d));
-        if (at_a > 0.0) == (at_b > 0.0) || (at_c > 0.0) == (at_d > 0.0) {
-            return;
-        }
-        let (t, u) = (at_a / (at_a - at_b), at_c / (at_c - at_d));
+        let Some((t, u)) = self.crossing(&pieces[i], &pieces[j]) else { return };
+        let [a, b] = self.ends(&pieces[i]);
         let vertex = self.vertex_at(a + t * (b - a), [pieces[i].edge, pieces[j].edge]);
         for (piece, at) in [(i, t), (j, u)] {
             if !pieces[piece].ends.contains(&vertex) {

@@ -125,9 +125,9 @@ pub(super) fn run(scene: &Scene, method: &Method, on: On<'_>, reference: &Equili
     }
 }
 
-/// Whether a method is worth running on a GPU beside the processor: Newton's factorisations are the processor's.
+/// Whether a method is run on a GPU beside the processor: the two that are compared with each other.
 pub(super) fn is_for_gpu(method: &Method, gpus: &Gpus) -> bool {
-    gpus.is_there() && !matches!(method.kind, Kind::Newton(_))
+    gpus.is_there() && [PAPER, RELAX].contains(&method.name.as_str())
 }
 
 impl Run {

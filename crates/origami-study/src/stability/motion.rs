@@ -1,0 +1,144 @@
+//! Whether a step holds: the paper's motion for some thousand steps, its energy watched.
+
+use std::fmt;
+
+use origami_core::solve::{Diverged, Failed};
+use origami_core::{Dynamics, Model, Solver, State};
+
+/// Pieces of a run; the energy is taken at the end of each.
+pub(super) const PIECES: u64 = 10;
+/// A damped sheet may only lose energy; so much of what the jump gave it is forgiven, since the energy of a state of the
+/// discrete motion swings a little.
+const FORGIVEN: f64 = 0.01;
+/// An undamped one keeps its energy; explicit steps make it swing, and with this factor it has grown.
+const GROWN: f64 = 2.0;
+/// Energies below it are rounding, in 64 bits.
+pub(super) const ROUNDING: f64 = 1e-12;
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Held {
+    /// It held.
+    Holds,
+    /// Its energy grew, in this piece of the run (1 to 10) of the percentage.
+    Grows {
+        /// The piece.
+        piece: u64,
+    },
+    /// It left all bounds, and said where.
+    Diverged {
+        /// At this step of its piece.
+        step: u64,
+        /// The vertex that it named.
+        vertex: u32,
+    },
+    /// It failed otherwise than it should, or gave what is not finite as a result.
+    Wrong(String),
+}
+
+impl Held {
+    pub(super) fn holds(&self) -> bool {
+        *self == Self::Holds
+    }
+
+    /// What a solver's failure says of the run, as it should: where it diverged, with a finite state to go back to.
+    pub(super) fn of_failed(model: &Model, failed: &Failed) -> Self {
+        match failed {
+            Failed::Diverged(diverged) if is_sensible(model, diverged) => {
+                Self::Diverged { step: diverged.step, vertex: diverged.vertex.0 }
+            }
+            Failed::Diverged(diverged) => Self::Wrong(format!("senseless: {diverged}")),
+            other => Self::Wrong(other.to_string()),
+        }
+    }
+}
+
+impl fmt::Display for Held {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Holds => f.write_str("holds"),
+            Self::Grows { piece } => write!(f, "energy grows, tenth {piece}"),
+            Self::Diverged { step, vertex } => write!(f, "diverged at step {step}, vertex {vertex}"),
+            Self::Wrong(what) => write!(f, "wrong: {what}"),
+        }
+    }
+}
+
+fn is_sensible(model: &Model, diverged: &Diverged) -> bool {
+    let named = model.mesh.node_of_vertex.get(diverged.vertex.index()).is_some_and(Option::is_some);
+    named && diverged.step > diverged.last_good_step && is_finite(&diverged.last_good)
+}
+
+/// Whether every number of a state is finite.
+pub(super) fn is_finite(state: &State) -> bool {
+    let vectors = state.positions.iter().chain(&state.velocities);
+    vectors.map(|v| v.is_finite()).chain(state.fold_angles.iter().map(|a| a.is_finite())).all(|finite| finite)
+}
+
+/// The energy of springs and motion.
+pub(super) fn energy(model: &Model, state: &State) -> f64 {
+    state.energy(model).total() + 0.5 * state.velocities.iter().map(|v| v.length_squared()).sum::<f64>()
+}
+
+/// `solver` for one piece of a run of `steps`.
+pub(super) fn piece(solver: Dynamics, steps: u64) -> Dynamics {
+    Dynamics { steps: Some(steps / PIECES), ..solver }
+}
+
+/// Runs a [`piece`] after the other from rest along `path`, [`PIECES`] for each percentage; where it held, with the state
+/// at the end. Energies below `rounding` say nothing.
+pub(super) fn run(model: &Model, solver: &dyn Solver, path: &[f64], rounding: f64) -> (Held, Option<State>) {
+    let damped = model.material.zeta > 0.0;
+    let mut session = solver.session(model);
+    let mut state = State::at_rest(model);
+    for percent in path {
+        state.targets = model.targets(*percent);
+        let at_first = energy(model, &state);
+        let mut before = at_first;
+        for piece in 1..=PIECES {
+            state = match session.fold(&state, *percent, &mut |_| {}) {
+                Ok(folded) if is_finite(&folded.state) => folded.state,
+                Ok(_) => return (Held::Wrong("not finite".into()), None),
+                Err(failed) => return (Held::of_failed(model, &failed), None),
+            };
+            let now = energy(model, &state);
+            let allowed = if damped { before + FORGIVEN * at_first } else { GROWN * at_first };
+            if now > allowed + rounding {
+                return (Held::Grows { piece }, None);
+            }
+            before = now;
+        }
+    }
+    (Held::Holds, Some(state))
+}
+
+#[cfg(test)]
+mod tests {
+    use origami_core::Material;
+    use origami_core::generate::miura;
+    use origami_core::solve::{TimeStep, time_step};
+
+    use super::*;
+
+    fn held(zeta: f64, factor: f64) -> Held {
+        let model =
+            Model::new(&miura(3, 3).expect("a sheet"), &Material { zeta, ..Material::default() }).expect("valid");
+        let dt = factor * time_step::safe(&model, &model.rest, origami_core::solve::Integrator::Euler);
+        let solver = Dynamics { time_step: TimeStep::Fixed(dt), ..Dynamics::default() };
+        run(&model, &piece(solver, 1000), &[60.0], ROUNDING).0
+    }
+
+    #[test]
+    fn short_steps_hold_and_long_ones_do_not() {
+        for zeta in [0.0, 0.45, 1.0] {
+            assert_eq!(held(zeta, 0.5), Held::Holds, "zeta {zeta}");
+            assert!(matches!(held(zeta, 5.0), Held::Diverged { .. }), "zeta {zeta}");
+        }
+    }
+
+    #[test]
+    fn a_step_a_little_too_long_shakes_the_sheet() {
+        let grown = [2.0, 2.5, 3.0].map(|factor| held(1.0, factor));
+        assert!(grown.iter().any(|held| !held.holds()), "{grown:?}");
+    }
+}

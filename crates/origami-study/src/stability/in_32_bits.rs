@@ -1,10 +1,10 @@
 //! The same scenes on a GPU, which computes in 32 bits: one after the other, since there is one GPU.
 
 use origami_core::measure::align;
-use origami_core::solve::TimeStep;
+use origami_core::solve::{Integrator, TimeStep};
 use origami_core::{Dynamics, Relax, State};
 
-use super::motion::{self, Held};
+use super::motion::{self, Held, Motion};
 use super::row::{Budget, Found, follow, unpanicked};
 use super::scenes::Scene;
 use crate::Gpus;
@@ -51,7 +51,8 @@ fn motion(scene: &Scene, found: &Found, budget: Budget, gpus: &Gpus) -> (Held, O
     // The bound is 2 / sqrt of the largest stiffness that a node feels.
     let stiffness = 4.0 / found.at_rest.bound.powi(2);
     let rounding = found.model.node_count() as f64 * stiffness * ROUNDING * ROUNDING;
-    motion::run(&found.model, solver.as_ref(), &scene.path, rounding)
+    let each = steps / motion::PIECES;
+    Motion { solver: solver.as_ref(), integrator: Integrator::Euler, each, rounding }.run(&found.model, &scene.path)
 }
 
 fn relax(scene: &Scene, found: &Found, budget: Budget, gpus: &Gpus) -> Result<(bool, State), Held> {

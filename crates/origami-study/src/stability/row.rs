@@ -8,7 +8,7 @@ use origami_core::{Dynamics, Folded, Model, Newton, Relax, Solver, State};
 
 use super::in_32_bits::OnGpu;
 use super::limit::{Effort, largest};
-use super::motion::{self, Held};
+use super::motion::{self, Held, Motion};
 use super::scenes::{Scene, Size};
 
 /// Factorisations that the reference may take.
@@ -43,15 +43,9 @@ impl Budget {
             relaxation: 20_000,
             relaxation_of_large: 60,
             effort: Effort { half: 150, precision: 0.02 },
-            effort_of_large: Effort { half: 60, precision: 0.05 },
+            effort_of_large: Effort { half: 50, precision: 0.05 },
         };
-        let whole = Self {
-            steps: 3000,
-            relaxation: 100_000,
-            effort: Effort { half: 400, precision: 0.005 },
-            effort_of_large: Effort { half: 100, precision: 0.02 },
-            ..small
-        };
+        let whole = Self { steps: 3000, relaxation: 100_000, effort: Effort { half: 400, precision: 0.005 }, ..small };
         if quick { small } else { whole }
     }
 
@@ -131,7 +125,8 @@ pub(super) struct Found {
     /// Where the safe step of Euler led.
     pub(super) end: Option<State>,
     pub(super) at_rest: Limit,
-    pub(super) verlet: Limit,
+    /// With Verlet; of a small sheet.
+    pub(super) verlet: Option<Limit>,
     /// About the folded equilibrium, where it is known.
     pub(super) folded: Option<Limit>,
     pub(super) relaxed: Relaxed,
@@ -194,7 +189,8 @@ fn find(scene: &Scene, model: Model, budget: Budget) -> Found {
     let (steps, _) = budget.of(scene.size);
     let run = |time_step, integrator| {
         let solver = motion::piece(Dynamics { time_step, integrator, ..Dynamics::default() }, steps);
-        motion::run(&model, &solver, &scene.path, motion::ROUNDING)
+        let each = steps / motion::PIECES;
+        Motion { solver: &solver, integrator, each, rounding: motion::ROUNDING }.run(&model, &scene.path)
     };
     let effort = if scene.size == Size::Small { budget.effort } else { budget.effort_of_large };
     let at_rest = State::at_rest(&model);
@@ -208,7 +204,7 @@ fn find(scene: &Scene, model: Model, budget: Budget) -> Found {
         safe_verlet: run(TimeStep::Safe, Integrator::Verlet).0,
         end,
         at_rest: limit(&at_rest, Integrator::Euler),
-        verlet: limit(&at_rest, Integrator::Verlet),
+        verlet: (scene.size == Size::Small).then(|| limit(&at_rest, Integrator::Verlet)),
         folded: equilibrium.as_ref().map(|state| limit(state, Integrator::Euler)),
         relaxed,
         equilibrium,

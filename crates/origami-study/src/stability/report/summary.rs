@@ -61,7 +61,7 @@ pub(super) struct Counts {
 
 /// All ratios of a row.
 pub(in crate::stability) fn ratios(found: &Found) -> impl Iterator<Item = (&'static str, f64)> {
-    let limits = [("at rest", Some(found.at_rest)), ("Verlet", Some(found.verlet)), ("folded", found.folded)];
+    let limits = [("at rest", Some(found.at_rest)), ("Verlet", found.verlet), ("folded", found.folded)];
     limits.into_iter().filter_map(|(what, limit)| limit.and_then(Limit::ratio).map(|ratio| (what, ratio)))
 }
 
@@ -178,7 +178,7 @@ fn misses_of(row: &Row) -> Vec<String> {
     }
     let wrong = ratios(found).filter(|(_, ratio)| !(LEAST..=MOST).contains(ratio));
     misses.extend(wrong.map(|(what, ratio)| format!("bound / largest step, {what}: {ratio:.3}")));
-    let limits = [("at rest", Some(found.at_rest)), ("Verlet", Some(found.verlet)), ("folded", found.folded)];
+    let limits = [("at rest", Some(found.at_rest)), ("Verlet", found.verlet), ("folded", found.folded)];
     let unknown = limits.into_iter().filter(|(_, limit)| limit.is_some_and(|limit| limit.largest.is_none()));
     misses.extend(unknown.map(|(what, _)| format!("largest step, {what}: not found")));
     let small = row.scene.size == Size::Small;

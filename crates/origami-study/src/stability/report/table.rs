@@ -95,7 +95,7 @@ fn add(found: &Found, cells: &mut Vec<Cell>) {
     let runs = [&found.paper, &found.safe, &found.safe_verlet];
     cells.extend(runs.map(|held| Cell::from(held.to_string())));
     cells.push(found.paper_step.into());
-    let limits = [Some(found.at_rest), Some(found.verlet), found.folded];
+    let limits = [Some(found.at_rest), found.verlet, found.folded];
     let cells_of = |limit: Option<Limit>| {
         let largest = limit.and_then(|limit| limit.largest);
         [limit.map(|limit| limit.bound), largest, limit.and_then(Limit::ratio)].map(Cell::from)

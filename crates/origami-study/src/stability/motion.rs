@@ -8,7 +8,10 @@ use origami_core::{Dynamics, Model, Solver, State};
 
 /// Pieces of a run; the energy is taken at the end of each.
 pub(super) const PIECES: u64 = 10;
-/// A damped sheet may only lose energy; so much of what the jump gave it is forgiven, since the energy of a state of the
+/// Of a damped run these pieces may gain energy: a thin triangle at which a target jumps takes large turns in few steps. At
+/// their end no more may be left than the jump gave.
+const EARLY: u64 = 5;
+/// After that it may only lose energy; so much of what the jump gave it is forgiven, since the energy of a state of the
 /// discrete motion swings a little where springs do not answer linearly.
 const FORGIVEN: f64 = 0.01;
 /// An undamped one keeps its energy; explicit steps make it swing, and with this factor it has grown.
@@ -141,7 +144,12 @@ impl Motion<'_> {
                 state = folded.state;
                 done += self.each;
                 let now = kept_energy(model, &state, folded.time_step, self.integrator);
-                let allowed = if damped { before + FORGIVEN * at_first } else { GROWN * at_first };
+                let allowed = match (damped, piece) {
+                    (false, _) => GROWN * at_first,
+                    (true, ..EARLY) => f64::INFINITY,
+                    (true, EARLY) => at_first,
+                    (true, _) => before + FORGIVEN * at_first,
+                };
                 if now > allowed + self.rounding {
                     return (Held::Grows { piece }, None);
                 }

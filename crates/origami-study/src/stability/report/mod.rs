@@ -68,8 +68,9 @@ fn what_was_run(ran: &Ran<'_>) -> String {
     let Budget { steps, steps_of_large, relaxation, relaxation_of_large, effort, .. } = ran.budget;
     let mut text = format!(
         "Each row folds a scene from rest, 60 % unless a row says otherwise. *Holds* means that {steps} steps of the \
-         motion, the target jumping, end without divergence, and that the mechanical energy, looked at ten times, never \
-         rises (by more than a hundredth of what the jump gave it; without damping: to more than twice of it). *Largest* \
+         motion, the target jumping, end without divergence, and that the mechanical energy, looked at ten times, is \
+         halfway at most what the jump gave and does not rise after that (by more than a hundredth of it; without damping: \
+         that it never is more than twice of it). *Largest* \
          is the longest fixed step with which a small random vibration about the state at rest, or about the folded \
          equilibrium, does not grow in {} steps, enclosed to {} %; *bound* is the safe step without its margin. *Relax* \
          has at most {relaxation} evaluations; its *distance* is that of the farthest vertex from the equilibrium to \

@@ -60,7 +60,7 @@ pub(super) fn hub(valence: usize, sign: impl Fn(usize) -> f64) -> CreasePattern 
 
 /// Letters of a hub in turn; of an odd one the last is its neighbour's.
 pub(super) fn in_turn(i: usize) -> f64 {
-    if i % 2 == 0 { 1.0 } else { -1.0 }
+    if i.is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
 /// Three panels of height 1 along parallel creases, the middle one as narrow as `width`: thin triangles in a sheet.

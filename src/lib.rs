@@ -21,6 +21,8 @@
 //! With the feature `render` (off by default) the module `picture` draws folded sheets on the processor, and with both
 //! features `gpu::render` draws the same pictures on a graphics card.
 //!
+//! With the feature `study` (off by default) the module `study` finds out how far the solvers can be trusted.
+//!
 //! This crate is a facade: everything is `origami_core`'s, and `origami_gpu`'s in `gpu`. Errors name the place in the file ([`Error`]); what was odd but
 //! could be put right is among the pattern's [`warnings`](CreasePattern::warnings). Equal input gives equal bits.
 pub use origami_core::*;
@@ -30,3 +32,6 @@ pub use origami_gpu as gpu;
 /// Pictures of folded sheets.
 #[cfg(feature = "render")]
 pub use origami_picture as picture;
+/// Accuracy and stability of the solvers.
+#[cfg(feature = "study")]
+pub use origami_study as study;

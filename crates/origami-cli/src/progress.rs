@@ -29,6 +29,12 @@ impl ProgressLine {
         Self::of(PARTS * count as u64, "{bar:30} {percent} % ({elapsed}, about {eta} to go)", quiet)
     }
 
+    /// For the runs of a study.
+    #[cfg(feature = "study")]
+    pub(crate) fn of_runs(quiet: bool) -> Self {
+        Self::of(0, "{bar:30} {pos} of {len} ({elapsed}, about {eta} to go) {wide_msg}", quiet)
+    }
+
     fn of(length: u64, template: &str, quiet: bool) -> Self {
         let hidden = quiet || !io::stderr().is_terminal();
         let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
@@ -61,6 +67,19 @@ impl ProgressLine {
     pub(crate) fn show_sheets(&self, sum: f64) {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a million sheets at most")]
         self.bar.set_position((sum * PARTS as f64) as u64);
+    }
+
+    /// So many more runs are to come.
+    #[cfg(feature = "study")]
+    pub(crate) fn runs_to_come(&self, runs: usize) {
+        self.bar.inc_length(runs as u64);
+    }
+
+    /// One is done.
+    #[cfg(feature = "study")]
+    pub(crate) fn run_done(&self, what: &str) {
+        self.bar.set_message(what.to_owned());
+        self.bar.inc(1);
     }
 
     /// Within one film: so many pictures of `of` are drawn.

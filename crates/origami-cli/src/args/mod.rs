@@ -8,6 +8,7 @@ mod material;
 mod pattern;
 mod picture;
 mod render;
+mod study;
 mod sweep;
 mod values;
 
@@ -20,6 +21,9 @@ pub(crate) use pattern::PatternArgs;
 pub(crate) use picture::{CameraName, ColoursName, ThemeName};
 pub(crate) use picture::{MapName, PictureArgs};
 pub(crate) use render::{RenderArgs, ViewName};
+pub(crate) use study::StudyArgs;
+#[cfg(feature = "study")]
+pub(crate) use study::{StudyBackend, StudyName};
 pub(crate) use sweep::SweepArgs;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -50,6 +54,7 @@ Examples:
   origami fold miura.fold --percent 60 -o folded.png       Fold it and draw it
   origami fold --help                                      More of these, and all settings
   origami sweep miura.fold --percent 0:100:5 -o out        Fold it in many ways
+  origami study accuracy miura.fold -o out                 See how far to trust the solvers
 
 Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.";
 
@@ -59,6 +64,7 @@ pub(crate) enum Command {
     Fold(Box<FoldArgs>),
     Sweep(Box<SweepArgs>),
     Render(Box<RenderArgs>),
+    Study(StudyArgs),
     Info(InfoArgs),
     Pattern(PatternArgs),
     Adapters(AdaptersArgs),

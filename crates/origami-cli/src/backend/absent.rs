@@ -30,6 +30,12 @@ impl Backend {
         Place::processor(method)
     }
 
+    /// No GPU.
+    #[cfg(feature = "study")]
+    pub(crate) fn studied(&self) -> origami::study::Gpus {
+        origami::study::Gpus::default()
+    }
+
     /// The processor's.
     pub(crate) fn brush(&self) -> Brush {
         Brush::default()

@@ -61,6 +61,13 @@ impl Backend {
         Brush::default()
     }
 
+    /// The GPU that studies repeat their runs on, if one is wanted.
+    #[cfg(feature = "study")]
+    pub(crate) fn studied(&self) -> origami::study::Gpus {
+        let wanted = (self.wanted == BackendName::Gpu).then(|| self.open().ok()).flatten();
+        wanted.map_or_else(Default::default, |gpu| origami::study::Gpus::new(gpu.clone()))
+    }
+
     fn open(&self) -> Result<&Gpu, &GpuError> {
         let open = || {
             Gpu::open(&match (&self.named, self.wanted) {

@@ -5,6 +5,7 @@ mod fold;
 mod info;
 mod pattern;
 mod render;
+mod study;
 mod sweep;
 mod texts;
 
@@ -20,6 +21,7 @@ pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
         Command::Fold(args) => fold::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Render(args) => render::run(&args),
+        Command::Study(args) => study::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Pattern(args) => pattern::run(&args),
         Command::Adapters(args) => adapters::run(&args),

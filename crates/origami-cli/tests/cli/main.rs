@@ -13,5 +13,6 @@ mod picture;
 mod place;
 mod report;
 mod streams;
+mod study;
 mod sweep;
 mod usage;

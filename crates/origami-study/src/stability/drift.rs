@@ -53,11 +53,13 @@ enum Step {
 pub(super) struct Drift {
     /// What was run.
     pub(super) name: &'static str,
+    /// Whether the step was renewed on the way.
+    pub(super) renewed: bool,
     /// Steps.
     pub(super) steps: u64,
     /// How it ended.
     pub(super) held: Held,
-    /// Of an undamped run: steps, and energy in shares of that at the start.
+    /// Of an undamped run: steps, and the energy that these steps keep, in shares of the energy at the start.
     pub(super) energies: Vec<(u64, f64)>,
     /// Largest distance of the centroid from where it was, in radii.
     pub(super) centroid: f64,
@@ -108,6 +110,7 @@ fn run((name, start, integrator, step): (&'static str, Start, Integrator, Step),
     let undamped = start == Start::Spinning;
     let mut drift = Drift {
         name,
+        renewed: step == Step::Safe,
         steps: each * SAMPLES,
         held: Held::Holds,
         energies: Vec::new(),
@@ -117,8 +120,12 @@ fn run((name, start, integrator, step): (&'static str, Start, Integrator, Step),
         moved: (!undamped).then_some(0.0),
     };
     for sample in 1..=SAMPLES {
+        let dt;
         state = match solver.fold(&model, &state, percent, &mut |_| {}) {
-            Ok(folded) => folded.state,
+            Ok(folded) => {
+                dt = folded.time_step;
+                folded.state
+            }
             Err(failed) => {
                 drift.held = Held::of_failed(&model, &failed);
                 return Some(drift);
@@ -127,7 +134,8 @@ fn run((name, start, integrator, step): (&'static str, Start, Integrator, Step),
         drift.centroid = drift.centroid.max(centroid(&state.positions).distance(centroid(&first.positions)));
         drift.momentum = drift.momentum.max(state.velocities.iter().sum::<DVec3>().length());
         if undamped {
-            drift.energies.push((sample * each, motion::energy(&model, &state) / energy));
+            let now = motion::kept_energy(&model, &state, dt, integrator);
+            drift.energies.push((sample * each, now / energy));
             let change = angular_momentum(&state).distance(spin) / spin.length();
             drift.angular_momentum = drift.angular_momentum.map(|most| most.max(change));
         } else {

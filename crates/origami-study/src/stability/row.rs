@@ -86,6 +86,8 @@ pub(super) enum Relaxed {
         folded: Box<Folded>,
         /// Its largest distance, in radii, from the equilibrium that Newton's method refines it to; where that was found.
         distance: Option<f64>,
+        /// How many saddles Newton's method left on its way there.
+        saddles: Option<u32>,
     },
     /// Nowhere.
     Failed(Held),
@@ -106,7 +108,7 @@ impl Relaxed {
     /// Whether it said rightly that it is within the tolerance; `None` where it did not say so or nobody knows.
     pub(super) fn claim_is_true(&self) -> Option<bool> {
         match self {
-            Self::Ended { distance: Some(distance), folded } if folded.converged() => {
+            Self::Ended { distance: Some(distance), folded, .. } if folded.converged() => {
                 Some(*distance <= Relax::default().tolerance)
             }
             _ => None,
@@ -241,7 +243,8 @@ fn relax(scene: &Scene, model: &Model, budget: Budget) -> (Relaxed, Option<State
     let known = model.node_count() <= MOST_NODES && scene.size == Size::Small;
     let newton = Newton { max_factorisations: FACTORISATIONS, ..Newton::default() };
     let equilibrium = if known { newton.refine(model, &folded.state).ok().filter(|e| e.converged) } else { None };
+    let saddles = equilibrium.as_ref().map(|equilibrium| equilibrium.escapes);
     let state = equilibrium.map(|equilibrium| equilibrium.state);
     let distance = state.as_ref().map(|state| align(&folded.state.positions, &state.positions).max);
-    (Relaxed::Ended { folded: Box::new(folded), distance }, state)
+    (Relaxed::Ended { folded: Box::new(folded), distance, saddles }, state)
 }

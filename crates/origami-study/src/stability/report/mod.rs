@@ -47,7 +47,7 @@ pub(super) fn study(ran: &Ran<'_>) -> Study {
     let drifts = drift_table(ran.drifts);
     let shown = drifts.columns.iter().map(|column| column.key).collect();
     parts.push(Part::Table { file: "stability-drift".into(), table: drifts, shown });
-    parts.push(plot("drift", plots::drift(ran.drifts)));
+    parts.push(plot("energy", plots::drift(ran.drifts)));
 
     if let Some(gpu) = &ran.gpu {
         parts.push(Part::Heading("32 bits".into()));
@@ -56,7 +56,11 @@ pub(super) fn study(ran: &Ran<'_>) -> Study {
     }
 
     parts.push(Part::Heading("All rows".into()));
-    parts.push(Part::Table { file: "stability".into(), table: table::table(ran.rows), shown: table::SHOWN.to_vec() });
+    parts.push(Part::Table {
+        file: "stability-rows".into(),
+        table: table::table(ran.rows),
+        shown: table::SHOWN.to_vec(),
+    });
     Study { name: "stability", title: "Stability".into(), parts }
 }
 
@@ -132,21 +136,20 @@ fn about_32_bits(counts: &Counts, gpu: &str) -> String {
 fn about_drift(ran: &Ran<'_>) -> String {
     let mut text = match ran.drifts.first() {
         Some(first) => format!(
-            "A Miura of 2 x 2 panels for {} steps. Without damping the sheet spins while its target jumps to 20 %: springs \
-             keep momentum and angular momentum, and energy for as long as the step stays the same. With damping it lies \
-             at rest, or in its equilibrium at 60 %, and should stay there.",
+            "A Miura of 2 x 2 panels for {} steps. Without damping the sheet spins while its target jumps to 20 %: springs should keep energy, momentum \
+             and angular momentum. With damping it lies at rest, or in its equilibrium at 60 %, and should stay there.",
             first.steps
         ),
         None => String::new(),
     };
-    let kept = ran
-        .drifts
-        .iter()
-        .filter_map(Drift::of_energy)
-        .map(f64::abs)
-        .fold(None, |most: Option<f64>, drift| Some(most.map_or(drift, |most| most.max(drift))));
-    if let Some(kept) = kept {
-        text += &format!(" The mean energy changed by at most {:.2} % from the first tenth to the last.", 100.0 * kept);
+    for (renewed, step) in [(false, "a step that stays the same"), (true, "one that is renewed")] {
+        let changes = ran.drifts.iter().filter(|drift| drift.renewed == renewed).filter_map(Drift::of_energy);
+        if let Some(most) = changes.map(f64::abs).max_by(f64::total_cmp) {
+            text += &format!(
+                " With {step} the mean energy changed by {:.2} % at most from the first tenth to the last.",
+                100.0 * most
+            );
+        }
     }
     if ran.drifts_left_out {
         text += " There was no time for all of these runs.";
@@ -161,7 +164,7 @@ const DRIFT_COLUMNS: &[Column] = &[
     Column {
         key: "energy",
         head: "energy drift",
-        meaning: "mean energy of the last tenth of the run over that of the first, less 1",
+        meaning: "mean energy (that which the steps keep) of the last tenth of the run over that of the first, less 1",
     },
     Column { key: "centroid", head: "centroid", meaning: "largest distance from where it was, in radii" },
     Column { key: "momentum", head: "momentum", meaning: "the largest; it should be 0" },

@@ -88,7 +88,8 @@ pub(super) fn drift(drifts: &[Drift]) -> Plot {
     });
     Plot {
         title: "Energy of a sheet without damping".into(),
-        note: "Miura 2x2, the target jumps from 0 to 20 %, the sheet spins".into(),
+        note: "Miura 2x2, the target jumps from 0 to 20 %, the sheet spins; the energy that a discrete step keeps"
+            .into(),
         x: axis("steps", Scale::Linear),
         y: axis("energy, in shares of that at the start", Scale::Linear),
         series: curves.collect(),

@@ -1,7 +1,7 @@
 //! What the rows of a family have in common, and what misses.
 
 use crate::stability::motion::Held;
-use crate::stability::row::{Answer, Found, Limit, Row};
+use crate::stability::row::{Answer, Found, Limit, Relaxed, Row};
 use crate::stability::scenes::Size;
 use crate::table::{Cell, Column, Table};
 
@@ -42,7 +42,7 @@ pub(super) fn shown(gpu: bool) -> Vec<&'static str> {
 
 /// Some rows, counted.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Counts {
+pub(in crate::stability) struct Counts {
     pub(super) rows: usize,
     pub(super) run: usize,
     pub(super) paper_holds: usize,
@@ -50,8 +50,8 @@ pub(super) struct Counts {
     /// Bound over largest step that holds, of every state and integrator; sorted.
     pub(super) ratios: Vec<f64>,
     pub(super) converged: usize,
-    pub(super) claims: usize,
-    pub(super) claims_true: usize,
+    pub(in crate::stability) claims: usize,
+    pub(in crate::stability) claims_true: usize,
     pub(super) gpu: usize,
     pub(super) gpu_safe_holds: usize,
     pub(super) gpu_converged: usize,
@@ -66,7 +66,7 @@ pub(in crate::stability) fn ratios(found: &Found) -> impl Iterator<Item = (&'sta
 }
 
 impl Counts {
-    pub(super) fn of<'r>(rows: impl Iterator<Item = &'r Row>) -> Self {
+    pub(in crate::stability) fn of<'r>(rows: impl Iterator<Item = &'r Row>) -> Self {
         let mut counts = Self::default();
         for row in rows {
             counts.rows += 1;
@@ -189,8 +189,11 @@ fn misses_of(row: &Row) -> Vec<String> {
     if small && found.equilibrium.is_none() {
         misses.push("no reference equilibrium was found".into());
     }
-    if found.relaxed.claim_is_true() == Some(false) {
-        misses.push(format!("claims to have converged, {:.1e} from the equilibrium", off(found)));
+    if let Relaxed::Ended { distance: Some(distance), saddles, .. } = &found.relaxed
+        && found.relaxed.claim_is_true() == Some(false)
+    {
+        let place = if saddles.is_some_and(|saddles| saddles > 0) { ", on a saddle" } else { "" };
+        misses.push(format!("claims to have converged, {distance:.1e} from the equilibrium{place}"));
     }
     if let Some(gpu) = &row.gpu {
         if !gpu.safe.holds() {
@@ -203,11 +206,4 @@ fn misses_of(row: &Row) -> Vec<String> {
         }
     }
     misses
-}
-
-fn off(found: &Found) -> f64 {
-    match &found.relaxed {
-        crate::stability::row::Relaxed::Ended { distance: Some(distance), .. } => *distance,
-        _ => f64::NAN,
-    }
 }

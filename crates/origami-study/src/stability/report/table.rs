@@ -35,6 +35,7 @@ const COLUMNS: &[Column] = &[
     column("evaluations", "evaluations", "force evaluations of the relaxation"),
     column("estimate", "estimate", "its estimate of the distance from the equilibrium, in radii"),
     column("distance", "distance", "largest distance of a vertex from Newton's equilibrium, in radii"),
+    column("saddles", "saddles", "saddles that Newton's method left on its way there"),
     column("claim", "claim true", "whether `converged` was true: the distance is at most the tolerance"),
     column("gpu_safe", "f32: safe step", "whether it holds on the GPU (Euler), or how it fails"),
     column(
@@ -105,8 +106,12 @@ fn add(found: &Found, cells: &mut Vec<Cell>) {
     let folded = found.relaxed.folded();
     cells.push(folded.map(|folded| folded.steps).into());
     cells.push(folded.map(|folded| folded.distance).filter(|distance| distance.is_finite()).into());
-    let distance = if let Relaxed::Ended { distance, .. } = &found.relaxed { *distance } else { None };
+    let (distance, saddles) = match &found.relaxed {
+        Relaxed::Ended { distance, saddles, .. } => (*distance, *saddles),
+        Relaxed::Failed(_) => (None, None),
+    };
     cells.push(distance.into());
+    cells.push(saddles.map(u64::from).into());
     cells.push(found.relaxed.claim_is_true().into());
 }
 

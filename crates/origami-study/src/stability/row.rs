@@ -39,11 +39,11 @@ impl Budget {
     pub(super) fn new(quick: bool) -> Self {
         let small = Self {
             steps: 400,
-            steps_of_large: 100,
+            steps_of_large: 50,
             relaxation: 20_000,
             relaxation_of_large: 60,
             effort: Effort { half: 150, precision: 0.02 },
-            effort_of_large: Effort { half: 50, precision: 0.05 },
+            effort_of_large: Effort { half: 25, precision: 0.1 },
         };
         let whole = Self { steps: 3000, relaxation: 100_000, effort: Effort { half: 400, precision: 0.005 }, ..small };
         if quick { small } else { whole }

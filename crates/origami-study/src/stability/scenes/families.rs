@@ -49,8 +49,12 @@ fn materials() -> Vec<Scene> {
     let mut scenes = Vec::new();
     let mut add = |family, parameter, value: f64, material: Material, quick: bool| {
         let on_sheet = Scene::new(family, "Miura 4x4", sheet()).made_of(material).with(parameter, value);
-        let on_fan = Scene::new(family, "fan of 16", fan(16)).made_of(material).with(parameter, value);
-        scenes.extend([on_sheet.quick(quick), on_fan]);
+        // A fan has no facets.
+        let other = match family {
+            "k_facet" => Scene::new(family, "square twist", catalog::generate("square-twist", &[])),
+            _ => Scene::new(family, "fan of 16", fan(16)),
+        };
+        scenes.extend([on_sheet.quick(quick), other.made_of(material).with(parameter, value)]);
     };
     for exponent in 0..=8 {
         let ea = 10f64.powi(exponent);
@@ -66,7 +70,7 @@ fn materials() -> Vec<Scene> {
         add("zeta", "zeta", zeta, Material { zeta, ..default }, [0.0, 2.0].contains(&zeta));
     }
     let place = |family| ["EA", "k_fold", "k_facet", "k_face", "zeta"].iter().position(|f| *f == family);
-    scenes.sort_by_key(|scene| (place(scene.family), scene.pattern_name == "fan of 16"));
+    scenes.sort_by_key(|scene| (place(scene.family), scene.pattern_name != "Miura 4x4"));
     scenes
 }
 

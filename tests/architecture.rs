@@ -20,7 +20,7 @@ const MAY_USE: [(&str, &[&str]); 11] = [
     ("model", &["error", "ids", "mesh", "pattern"]),
     ("forces", &["ids", "model"]),
     ("solve", &["error", "forces", "ids", "model"]),
-    ("measure", &["forces", "mesh", "model", "pattern", "solve"]),
+    ("measure", &["error", "forces", "generate", "ids", "mesh", "model", "pattern", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "solve"]),
 ];
 

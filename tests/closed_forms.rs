@@ -3,15 +3,13 @@
 
 mod common;
 
-use std::f64::consts::TAU;
-
 use common::model;
 use origami::generate::closed_form::{
-    Degree4Mode, KreslingFold, YoshimuraFold, degree4, fold_angle, loop_closure, waterbomb_polar,
+    Degree4Mode, KreslingFold, YoshimuraFold, degree4, loop_closure, waterbomb_polar,
 };
 use origami::generate::{Degree4, Kresling, Miura, SingleCrease, WaterbombVertex, Yoshimura};
 use origami::glam::DVec3;
-use origami::measure::{align, edge_fold_angles};
+use origami::measure::{align, closures, edge_fold_angles};
 use origami::{CreasePattern, Folded, Model, Relax, Solver, State};
 
 /// A solver, and what is asked of it.
@@ -145,25 +143,11 @@ fn one_driven_crease_folds_a_whole_miura_sheet() {
     });
 }
 
-/// How far the worst interior vertex of a flat pattern is from closing, its sectors as on the paper.
+/// How far the worst interior vertex is from closing.
 fn worst_closure(model: &Model, state: &State) -> f64 {
-    let closure = |node: usize| {
-        let sides = model.mesh.sides_of_node.of(node).iter().map(|s| &model.mesh.sides[s.index()]);
-        let mut around: Vec<(f64, f64)> = Vec::new();
-        for side in sides {
-            let [left, right] = [side.apexes[0]?, side.apexes[1]?].map(|n| state.positions[n.index()]);
-            let [from, to] = side.nodes.map(|n| n.index());
-            let along = model.rest[if from == node { to } else { from }] - model.rest[node];
-            around.push((along.y.atan2(along.x), fold_angle(left, right, state.positions[from], state.positions[to])));
-        }
-        around.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let next = |k: usize| if k + 1 < around.len() { around[k + 1].0 } else { around[0].0 + TAU };
-        let folds = around.iter().enumerate().map(|(k, (direction, fold))| (*fold, next(k) - direction));
-        Some(loop_closure(&folds.collect::<Vec<_>>()))
-    };
-    let all: Vec<f64> = (0..model.node_count()).filter_map(closure).collect();
+    let all = closures(model, &state.positions);
     assert!(!all.is_empty(), "a sheet with interior vertices");
-    all.into_iter().fold(0.0, f64::max)
+    all.into_iter().map(|(_, closure)| closure).fold(0.0, f64::max)
 }
 
 #[test]

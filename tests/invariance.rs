@@ -3,10 +3,10 @@
 
 mod common;
 
-use origami::generate::catalog;
+use origami::generate::{catalog, miura};
 use origami::glam::{DMat3, DQuat, DVec3};
-use origami::ids::VertexId;
-use origami::measure::align;
+use origami::ids::{TriangleId, VertexId};
+use origami::measure::{align, edge_fold_angles};
 use origami::pattern::Assignment;
 use origami::{CreasePattern, Dynamics, Material, Model, Relax, Solver, State};
 
@@ -110,4 +110,61 @@ fn the_same_input_gives_the_same_bits() {
         let second = std::thread::spawn(move || states(&made(name))).join().expect("no panic");
         assert_eq!(first, second, "{name}");
     }
+}
+
+/// A sheet large enough to be renumbered, and the same with its vertices shuffled; the new number of each vertex.
+fn shuffled_miura() -> (CreasePattern, CreasePattern, impl Fn(VertexId) -> VertexId) {
+    let original = miura(33, 33).expect("valid");
+    let count = original.vertices.len();
+    // A factor without a divisor in common with the number of vertices.
+    assert!(!count.is_multiple_of(7919));
+    let renumbered = move |v: VertexId| VertexId::new(v.index() * 7919 % count);
+    let mut pattern = original.clone();
+    for (i, p) in original.vertices.iter().enumerate() {
+        pattern.vertices[renumbered(VertexId::new(i)).index()] = *p;
+    }
+    for edge in &mut pattern.edges {
+        edge.vertices = edge.vertices.map(renumbered);
+    }
+    pattern.faces.iter_mut().flatten().for_each(|v| *v = renumbered(*v));
+    (original, pattern, renumbered)
+}
+
+#[test]
+fn a_large_shuffled_sheet_moves_as_the_ordered_one_does() {
+    let (original, shuffled, renumbered) = shuffled_miura();
+    let moved = |pattern: &CreasePattern| {
+        let model = Model::new(pattern, &Material::default()).expect("valid");
+        let relax = Relax { steps: Some(150), ramp: Some(100), ..Relax::default() };
+        let folded = relax.fold_from_rest(&model, 60.0).expect("holds");
+        model.file_positions(pattern, &folded.state.positions)
+    };
+    let (expected, got) = (moved(&original), moved(&shuffled));
+    let got: Vec<DVec3> = (0..got.len()).map(|i| got[renumbered(VertexId::new(i)).index()]).collect();
+    let radius = Model::new(&original, &Material::default()).expect("valid").normalisation.radius;
+    let distance = expected.iter().zip(&got).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max) / radius;
+    assert!(distance < 1e-9, "{distance}");
+    let way = expected.iter().zip(&original.vertices).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max) / radius;
+    assert!(way > 1e-3, "the sheet moves, by {way}");
+}
+
+#[test]
+fn what_is_written_is_in_the_order_of_the_file_bit_for_bit() {
+    let (original, shuffled, renumbered) = shuffled_miura();
+    let written = |pattern: &CreasePattern| {
+        let model = Model::new(pattern, &Material::default()).expect("valid");
+        let mesh = &model.mesh;
+        let corners = |t: &TriangleId| mesh.triangles[t.index()].map(|n| model.rest[n.index()]);
+        let triangles: Vec<[DVec3; 3]> = mesh.triangles_by_face.iter().map(corners).collect();
+        let numbered_as_given = mesh.vertex_of_node.is_sorted();
+        let angles = edge_fold_angles(&model, pattern, &State::at_rest(&model));
+        (model.file_positions(pattern, &model.rest), triangles, angles, numbered_as_given)
+    };
+    let (positions, triangles, angles, as_given) = written(&original);
+    let (of_shuffled, triangles_of_shuffled, angles_of_shuffled, shuffled_as_given) = written(&shuffled);
+    assert!(as_given && !shuffled_as_given, "the one keeps its numbers, the other does not");
+    let back: Vec<DVec3> = (0..positions.len()).map(|i| of_shuffled[renumbered(VertexId::new(i)).index()]).collect();
+    assert_eq!(back, positions);
+    assert_eq!(triangles_of_shuffled, triangles);
+    assert_eq!(angles_of_shuffled, angles);
 }

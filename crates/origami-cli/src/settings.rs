@@ -1,9 +1,10 @@
 //! From the command line to what the library wants.
 
-use origami::model::Material;
+use origami::model::{Material, Model};
 #[cfg(feature = "newton")]
 use origami::solve::Newton;
 use origami::solve::{Dynamics, Integrator, Relax, TimeStep, frame_percents, time_step};
+use origami::{Warning, measure};
 
 use crate::args::{
     ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PictureArgs, SolverName, SolvingArgs, SweepArgs,
@@ -73,7 +74,7 @@ impl Settings {
     }
 
     /// The length of the first step; relaxations have none that can be told beforehand.
-    pub(crate) fn first_time_step(&self, model: &origami::model::Model) -> Option<f64> {
+    pub(crate) fn first_time_step(&self, model: &Model) -> Option<f64> {
         match (self.solver_name, self.time_step) {
             (SolverName::Relax | SolverName::Newton, _) => None,
             (SolverName::Dynamics, TimeStep::Paper) => Some(time_step::paper(model)),
@@ -149,6 +150,13 @@ impl SolvingArgs {
             Some(IntegratorName::Verlet) => Integrator::Verlet,
         }
     }
+}
+
+/// What is dangerous about folding `model` so far. On a GPU, which computes in single precision, the tolerance counts too.
+pub(crate) fn dangers(model: &Model, percents: &[f64], on_gpu: Option<f64>) -> Vec<Warning> {
+    let mut dangers = measure::dangers(model, percents);
+    dangers.extend(on_gpu.and_then(|tolerance| measure::single_precision(model, tolerance)));
+    dangers
 }
 
 /// What is allowed but odd about the arguments.

@@ -26,18 +26,21 @@ impl Gpus {
         None
     }
 
-    /// `solver` on it.
-    pub(crate) fn with(&self, solver: OnEither) -> Option<Box<dyn Solver>> {
+    /// Whether there is one.
+    pub(crate) fn is_there(&self) -> bool {
+        self.name().is_some()
+    }
+
+    /// `solver` on it; on the processor where there is none.
+    pub(crate) fn with(&self, solver: OnEither) -> Box<dyn Solver> {
         #[cfg(feature = "gpu")]
-        return self.gpu.as_ref().map(|gpu| match solver {
-            OnEither::Relax(relax) => Box::new(gpu.with(relax)) as Box<dyn Solver>,
-            OnEither::Dynamics(dynamics) => Box::new(gpu.with(dynamics)),
-        });
-        #[cfg(not(feature = "gpu"))]
-        {
-            let _ = solver;
-            None
+        if let Some(gpu) = &self.gpu {
+            return match solver {
+                OnEither::Relax(relax) => Box::new(gpu.with(relax)),
+                OnEither::Dynamics(dynamics) => Box::new(gpu.with(dynamics)),
+            };
         }
+        solver.on_cpu()
     }
 }
 

@@ -1,6 +1,7 @@
 //! `origami study`.
 
 use std::path::PathBuf;
+#[cfg(feature = "study")]
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
@@ -11,7 +12,7 @@ use super::values::positive;
 const EXAMPLES: &str = "\
 Examples:
   origami study accuracy --quick -o out                    A look in less than a minute
-  origami study accuracy crane.fold miura -o out           With a pattern of yours and a generated one
+  origami study accuracy crane.fold miura -o out           Of one's own and a generated pattern
   origami study accuracy --backend gpu -o out              On a GPU too
   origami study stability -o out                           What holds on stiff and extreme scenes
 
@@ -25,7 +26,6 @@ Exit codes:
 /// stability.md) into a folder. What was there under the same names is replaced. Files are written whole or not at all.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, override_usage = "origami study [OPTIONS] <STUDY> [PATTERN]... -o <DIR>")]
-#[cfg_attr(not(feature = "study"), expect(dead_code, reason = "a build without studies refuses them all"))]
 pub(crate) struct StudyArgs {
     /// What to study
     #[arg(value_enum, value_name = "STUDY")]
@@ -80,7 +80,7 @@ pub(crate) enum StudyBackend {
     Gpu,
 }
 
-#[cfg_attr(not(feature = "study"), expect(dead_code, reason = "a build without studies refuses them all"))]
+#[cfg(feature = "study")]
 impl StudyArgs {
     /// None where it is longer than a clock can tell.
     pub(crate) fn time_limit(&self) -> Option<Duration> {

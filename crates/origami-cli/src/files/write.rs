@@ -4,6 +4,7 @@ use std::fs;
 
 use origami::export::{self, Stage, write_obj, write_stl, write_whole};
 use origami::fold::Document;
+use origami::ids::TriangleId;
 use origami::model::Model;
 use origami::solve::{Folded, State};
 use origami::{CreasePattern, Error};
@@ -75,7 +76,9 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<(), Error> {
         }
         Format::Stl => {
             let points: Vec<_> = last.state.positions.iter().map(|p| sheet.model.normalisation.to_file(*p)).collect();
-            let triangles: Vec<[u32; 3]> = sheet.model.mesh.triangles.iter().map(|t| t.map(|n| n.0)).collect();
+            let mesh = &sheet.model.mesh;
+            let corners = |t: &TriangleId| mesh.triangles[t.index()].map(|n| n.0);
+            let triangles: Vec<[u32; 3]> = mesh.triangles_by_face.iter().map(corners).collect();
             whole(&target.destination, |writer| write_stl(writer, &points, &triangles))
         }
     }

@@ -185,4 +185,19 @@ mod present {
         assert_eq!(place.names(), ["square.fold"]);
         assert_eq!(run("fold square.fold -o a.fold").0, Some(0), "the processor is always there");
     }
+
+    #[test]
+    fn what_single_precision_cannot_resolve_is_told() {
+        let place = Place::new();
+        if adapters(&place).is_none() {
+            return;
+        }
+        let soft = "fold square.fold -o a.fold --steps 5 --k-fold 1e-7 --k-facet 1e-7";
+        let ran = place.run(&format!("{soft} --backend gpu"));
+        assert!(ran.code == 0 && ran.stderr.contains("single precision moves it by about "), "{}", ran.stderr);
+        for words in [&format!("{soft} --backend cpu"), "fold square.fold -o a.fold --steps 5 --backend gpu"] {
+            let ran = place.run(words);
+            assert!(ran.code == 0 && !ran.stderr.contains("single precision"), "{}", ran.stderr);
+        }
+    }
 }

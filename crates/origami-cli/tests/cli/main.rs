@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
 mod batch;
+mod dangers;
 mod fold;
 mod gpu;
 mod help;

@@ -42,7 +42,8 @@ pub fn align(points: &[DVec3], onto: &[DVec3]) -> Alignment {
         .collect();
     let distances = || moved.iter().zip(onto).map(|(p, q)| p.distance(*q));
     let rms = (distances().map(|d| d * d).sum::<f64>() / points.len() as f64).sqrt();
-    let max = distances().fold(0.0, f64::max);
+    // `f64::max` drops NaN: what is nowhere is not near.
+    let max = distances().fold(0.0, |max: f64, d| if d > max || d.is_nan() { d } else { max });
     Alignment { max, rms, moved }
 }
 
@@ -85,6 +86,14 @@ mod tests {
         let flat: Vec<DVec3> = shape().iter().map(|p| DVec3::new(p.x, p.y, 0.0)).collect();
         let turned: Vec<DVec3> = flat.iter().map(|p| DQuat::from_rotation_x(1.0) * *p).collect();
         assert!(align(&turned, &flat).max < 1e-14);
+    }
+
+    #[test]
+    fn a_point_that_is_nowhere_is_not_near() {
+        let mut lost = shape();
+        lost[7].y = f64::NAN;
+        let alignment = align(&lost, &shape());
+        assert!(alignment.max.is_nan() && alignment.rms.is_nan());
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Compressed rows: for each node, the elements that touch it.
 
-/// Lists of unequal length in two arrays. Row `i` is `items[starts[i]..starts[i + 1]]`, in ascending order.
+/// Lists of unequal length in two arrays. Row `i` is `items[starts[i]..starts[i + 1]]`, in the order of the entries.
 #[derive(Clone, Debug)]
 pub struct Csr<T> {
     starts: Vec<u32>,
@@ -8,30 +8,43 @@ pub struct Csr<T> {
 }
 
 impl<T: Copy> Csr<T> {
-    /// Inverts `elements` (each a list of nodes): row `i` holds the elements whose list has node `i`.
-    pub(super) fn new<'a, N: 'a>(
+    /// Row `i` holds, in their order, the items of the entries `(i, item)`.
+    pub(super) fn new(rows: usize, entries: impl Iterator<Item = (usize, T)> + Clone) -> Self {
+        // Counted two places further on, so that the ends of rows become the starts of the next ones as they fill.
+        let mut starts = vec![0_u32; rows + 2];
+        let mut any = None;
+        for (row, item) in entries.clone() {
+            starts[row + 2] += 1;
+            any = Some(item);
+        }
+        for i in 2..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut items = any.map_or(Vec::new(), |item| vec![item; starts[rows + 1] as usize]);
+        for (row, item) in entries {
+            let place = &mut starts[row + 1];
+            items[*place as usize] = item;
+            *place += 1;
+        }
+        starts.truncate(rows + 1);
+        Self { starts, items }
+    }
+
+    /// Inverts `elements` (each a list of nodes): row `i` holds, ascending, the elements whose list has node `i`.
+    pub(super) fn inverted<'a, N: 'a>(
         nodes: usize,
         elements: impl Iterator<Item = &'a [N]> + Clone,
-        node: impl Fn(&N) -> usize,
-        id: impl Fn(usize) -> T,
+        node: impl Fn(&N) -> usize + Copy,
+        id: impl Fn(usize) -> T + Copy,
     ) -> Self {
-        let mut starts = vec![0_u32; nodes + 1];
-        for n in elements.clone().flatten() {
-            starts[node(n) + 1] += 1;
-        }
-        for i in 0..nodes {
-            starts[i + 1] += starts[i];
-        }
-        let mut next = starts.clone();
-        let mut items = vec![id(0); starts[nodes] as usize];
-        for (e, list) in elements.enumerate() {
-            for n in list {
-                let place = &mut next[node(n)];
-                items[*place as usize] = id(e);
-                *place += 1;
-            }
-        }
-        Self { starts, items }
+        let of_element = move |(e, list): (usize, &'a [N])| list.iter().map(move |n| (node(n), id(e)));
+        Self::new(nodes, elements.enumerate().flat_map(of_element))
+    }
+
+    /// How many nodes there are.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.starts.len() - 1
     }
 
     /// The elements at node `i`.

@@ -3,6 +3,7 @@
 //! The geometry that a triangulation needs stays in `triangulate`; everything below it is integers.
 
 mod csr;
+mod order;
 mod sides;
 pub mod triangulate;
 
@@ -13,7 +14,8 @@ use crate::error::Error;
 use crate::ids::{EdgeId, FaceId, NodeId, SideId, TriangleId, VertexId};
 use crate::pattern::CreasePattern;
 
-/// A triangulated sheet. Its nodes are the pattern's vertices that some face or edge uses, in the pattern's order.
+/// A triangulated sheet. Its nodes are the pattern's vertices that some face or edge uses. They are numbered as in the
+/// pattern, unless the sheet is large and that numbering scatters neighbours over memory: then by reverse Cuthill-McKee.
 #[derive(Clone, Debug)]
 pub struct Mesh {
     /// The pattern's vertex of each node.
@@ -24,10 +26,13 @@ pub struct Mesh {
     pub sides: Vec<Side>,
     /// The side of each pattern edge (that of its alias where it has one); `None` where that side does not exist.
     pub side_of_edge: Vec<Option<SideId>>,
-    /// Corners, in the orientation of the face that the triangle is a part of.
+    /// Corners, in the orientation of the face that the triangle is a part of. Ordered by the lowest node of each, so that
+    /// neighbours in space are neighbours in memory.
     pub triangles: Vec<[NodeId; 3]>,
     /// The pattern's face of each triangle.
     pub face_of_triangle: Vec<FaceId>,
+    /// The triangles in the order in which they were cut from the pattern's faces: that of files.
+    pub triangles_by_face: Vec<TriangleId>,
     /// Sides at each node.
     pub sides_of_node: Csr<SideId>,
     /// Triangles at each node.
@@ -46,10 +51,15 @@ impl Mesh {
     ) -> Result<Self, Error> {
         let (vertex_of_node, node_of_vertex) = number_nodes(pattern, triangles);
         let node = |v: VertexId| node_of_vertex[v.index()].expect("every corner and edge end was numbered");
-        let triangles: Vec<[NodeId; 3]> = triangles.iter().map(|t| t.map(node)).collect();
+        let by_face: Vec<[NodeId; 3]> = triangles.iter().map(|t| t.map(node)).collect();
+        let (triangles, triangles_by_face) = sorted(&by_face);
+        let mut face_of = face_of_triangle.clone();
+        for (face, triangle) in face_of_triangle.into_iter().zip(&triangles_by_face) {
+            face_of[triangle.index()] = face;
+        }
 
         let own_edges: Vec<(EdgeId, [NodeId; 2])> = own_edges(pattern).map(|(id, ends)| (id, ends.map(node))).collect();
-        let (sides, side_of_own_edge) = sides::build(&triangles, &own_edges)?;
+        let (sides, side_of_own_edge) = sides::build(&triangles, &own_edges, &vertex_of_node)?;
         let mut side_of_edge = vec![None; pattern.edges.len()];
         for ((edge, _), side) in own_edges.iter().zip(side_of_own_edge) {
             side_of_edge[edge.index()] = Some(side);
@@ -61,15 +71,17 @@ impl Mesh {
         }
 
         let nodes = vertex_of_node.len();
-        let sides_of_node = Csr::new(nodes, sides.iter().map(|s| s.nodes.as_slice()), |n| n.index(), SideId::new);
-        let triangles_of_node = Csr::new(nodes, triangles.iter().map(|t| t.as_slice()), |n| n.index(), TriangleId::new);
+        let sides_of_node = Csr::inverted(nodes, sides.iter().map(|s| s.nodes.as_slice()), |n| n.index(), SideId::new);
+        let triangles_of_node =
+            Csr::inverted(nodes, triangles.iter().map(|t| t.as_slice()), |n| n.index(), TriangleId::new);
         Ok(Self {
             vertex_of_node,
             node_of_vertex,
             sides,
             side_of_edge,
             triangles,
-            face_of_triangle,
+            face_of_triangle: face_of,
+            triangles_by_face,
             sides_of_node,
             triangles_of_node,
         })
@@ -83,11 +95,12 @@ impl Mesh {
 }
 
 /// The pattern's edges that stand for themselves, with their ends.
-fn own_edges(pattern: &CreasePattern) -> impl Iterator<Item = (EdgeId, [VertexId; 2])> {
+fn own_edges(pattern: &CreasePattern) -> impl Iterator<Item = (EdgeId, [VertexId; 2])> + Clone {
     let edges = pattern.edges.iter().enumerate();
     edges.filter(|(_, e)| e.alias_of.is_none()).map(|(i, e)| (EdgeId::new(i), e.vertices))
 }
 
+/// The vertex of each node, and the node of each vertex that has one.
 fn number_nodes(pattern: &CreasePattern, triangles: &[[VertexId; 3]]) -> (Vec<VertexId>, Vec<Option<NodeId>>) {
     let mut used = vec![false; pattern.vertices.len()];
     for vertex in triangles.iter().flatten() {
@@ -96,15 +109,50 @@ fn number_nodes(pattern: &CreasePattern, triangles: &[[VertexId; 3]]) -> (Vec<Ve
     for (_, ends) in own_edges(pattern) {
         ends.iter().for_each(|v| used[v.index()] = true);
     }
-    let mut vertex_of_node = Vec::new();
-    let node_of_vertex = used.iter().enumerate().map(|(i, used)| {
-        used.then(|| {
-            vertex_of_node.push(VertexId::new(i));
-            NodeId::new(vertex_of_node.len() - 1)
-        })
-    });
-    let node_of_vertex = node_of_vertex.collect();
+    let vertices = used.iter().enumerate().filter(|(_, used)| **used);
+    let mut vertex_of_node: Vec<VertexId> = vertices.map(|(i, _)| VertexId::new(i)).collect();
+    let mut node_of_vertex = vec![None; pattern.vertices.len()];
+    let number = |node_of_vertex: &mut [Option<NodeId>], vertex_of_node: &[VertexId]| {
+        vertex_of_node.iter().enumerate().for_each(|(i, v)| node_of_vertex[v.index()] = Some(NodeId::new(i)));
+    };
+    number(&mut node_of_vertex, &vertex_of_node);
+    let nodes = vertex_of_node.len();
+    if order::is_scattered(nodes, neighbours(pattern, triangles, &node_of_vertex)) {
+        let neighbours = Csr::new(nodes, neighbours(pattern, triangles, &node_of_vertex));
+        let order = order::reverse_cuthill_mckee(&neighbours);
+        vertex_of_node = order.iter().map(|n| vertex_of_node[n.index()]).collect();
+        number(&mut node_of_vertex, &vertex_of_node);
+    }
     (vertex_of_node, node_of_vertex)
+}
+
+/// Each node with the nodes beside it, some of them twice: along sides of triangles, and along edges in both directions,
+/// since not every side has a triangle on either hand.
+fn neighbours(
+    pattern: &CreasePattern,
+    triangles: &[[VertexId; 3]],
+    node_of_vertex: &[Option<NodeId>],
+) -> impl Iterator<Item = (usize, NodeId)> + Clone {
+    let along_triangles = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let along_edges = own_edges(pattern).flat_map(|(_, [a, b])| [[a, b], [b, a]]);
+    let numbered = |ends: [VertexId; 2]| {
+        let [a, b] = ends.map(|v| node_of_vertex[v.index()]);
+        Some((a?.index(), b?))
+    };
+    along_triangles.chain(along_edges).filter_map(numbered)
+}
+
+/// The triangles in the order of their lowest nodes, those of one node in the order given; and the place of each.
+fn sorted(given: &[[NodeId; 3]]) -> (Vec<[NodeId; 3]>, Vec<TriangleId>) {
+    let lowest = |corners: &[NodeId; 3]| corners.iter().copied().min();
+    if given.is_sorted_by_key(lowest) {
+        return (given.to_vec(), (0..given.len()).map(TriangleId::new).collect());
+    }
+    let mut order: Vec<TriangleId> = (0..given.len()).map(TriangleId::new).collect();
+    order.sort_by_key(|t| lowest(&given[t.index()]));
+    let mut places = order.clone();
+    order.iter().enumerate().for_each(|(place, t)| places[t.index()] = TriangleId::new(place));
+    (order.iter().map(|t| given[t.index()]).collect(), places)
 }
 
 #[cfg(test)]
@@ -156,7 +204,7 @@ mod tests {
     fn a_third_triangle_and_a_wrong_turn_are_refused() {
         let triangles = [[0, 1, 2], [0, 2, 5], [0, 2, 3]].map(|t| t.map(VertexId));
         let error = Mesh::new(&square(), &triangles, vec![FaceId(0); 3]).expect_err("three at one side");
-        assert!(error.to_string().contains("nodes 0 and 2"), "{error}");
+        assert!(error.to_string().contains("vertices 0 and 2"), "{error}");
         let triangles = [[0, 1, 2], [2, 0, 5]].map(|t| t.map(VertexId));
         assert!(Mesh::new(&square(), &triangles, vec![FaceId(0); 2]).is_err(), "both run from 2 to 0");
     }

@@ -1,7 +1,7 @@
 //! Sides of a triangulation, found by sorting rather than hashing.
 
 use crate::error::Error;
-use crate::ids::{EdgeId, NodeId, SideId, TriangleId};
+use crate::ids::{EdgeId, NodeId, SideId, TriangleId, VertexId};
 
 /// A side of the triangulation: a beam, and a crease where two triangles meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +28,7 @@ enum Mention {
 pub(super) fn build(
     triangles: &[[NodeId; 3]],
     edges: &[(EdgeId, [NodeId; 2])],
+    vertex_of_node: &[VertexId],
 ) -> Result<(Vec<Side>, Vec<SideId>), Error> {
     let mut mentions = Vec::with_capacity(edges.len() + 3 * triangles.len());
     for (i, (_, ends)) in edges.iter().enumerate() {
@@ -48,28 +49,27 @@ pub(super) fn build(
         if let Mention::Edge(e) = group[0].1 {
             side_of_edge[e as usize] = SideId::new(i);
         }
-        side(group, triangles, edges)
+        side(group, triangles, edges).map_err(|problem| {
+            let [a, b] = group[0].0.map(|n| vertex_of_node[n.index()].0);
+            Error::invalid(format!("the side between vertices {a} and {b}"), problem.0, problem.1)
+        })
     });
     let sides = sides.collect::<Result<_, _>>()?;
     Ok((sides, side_of_edge))
 }
 
+/// The side that `group` mentions; an error is the problem and what was expected.
 fn side(
     group: &[([NodeId; 2], Mention)],
     triangles: &[[NodeId; 3]],
     edges: &[(EdgeId, [NodeId; 2])],
-) -> Result<Side, Error> {
+) -> Result<Side, (&'static str, &'static str)> {
     let ends = group[0].0;
     let mut side = Side { nodes: ends, triangles: [None; 2], apexes: [None; 2], edge: None };
     for (_, mention) in group {
         match *mention {
             Mention::Edge(_) if side.edge.is_some() => {
-                let [a, b] = ends.map(|n| n.0);
-                return Err(Error::invalid(
-                    format!("the side between nodes {a} and {b}"),
-                    "two edges lie there",
-                    "one edge, the other its alias",
-                ));
+                return Err(("two edges lie there", "one edge, the other its alias"));
             }
             Mention::Edge(e) => {
                 side.edge = Some(edges[e as usize].0);
@@ -82,9 +82,7 @@ fn side(
                 if place == 0 {
                     side.nodes = ends;
                 } else if side.triangles[1].is_some() || side.nodes == ends {
-                    let [a, b] = key(ends).map(|n| n.0);
-                    return Err(Error::invalid(
-                        format!("the side between nodes {a} and {b}"),
+                    return Err((
                         "more than two triangles meet there, or two lie on the same side of it",
                         "at most one triangle on each side",
                     ));

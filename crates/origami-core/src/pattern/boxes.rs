@@ -83,7 +83,12 @@ impl BoxTree {
         node
     }
 
-    /// Visits all items in boxes for which `near` holds.
+    /// All items, those that lie near each other one after the other.
+    pub(super) fn items(&self) -> &[u32] {
+        &self.items
+    }
+
+    /// Visits all items in boxes for which `near` holds, roughly from the right and from above.
     pub(super) fn visit(&self, near: impl Fn(&Bounds) -> bool, mut visit: impl FnMut(usize)) {
         let mut stack = vec![0usize];
         while let Some(at) = stack.pop() {
@@ -91,7 +96,7 @@ impl BoxTree {
             if node.second == 0 {
                 self.items[node.first as usize..node.last as usize].iter().for_each(|&item| visit(item as usize));
             } else {
-                stack.extend([node.second as usize, at + 1]);
+                stack.extend([at + 1, node.second as usize]);
             }
         }
     }

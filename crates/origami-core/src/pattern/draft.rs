@@ -1,11 +1,10 @@
 //! The pattern while it is being built: plain indices, and coordinates scaled to a size near one.
 
-use std::collections::HashMap;
-
 use glam::DVec3;
 
 use super::letters::Letter;
 use super::notes::Notes;
+use super::table::Table;
 
 /// A pattern in the making.
 #[derive(Debug)]
@@ -84,19 +83,31 @@ impl DraftEdge {
     }
 }
 
-/// The live edge between two vertices.
-#[derive(Debug, Default)]
-pub(super) struct EdgeMap(HashMap<(u32, u32), u32>);
+/// The live edge between two vertices: rows by the lower vertex, sorted by the upper one.
+#[derive(Debug)]
+pub(super) struct EdgeMap(Table<(u32, u32)>);
 
 impl EdgeMap {
-    pub(super) fn get(&self, [a, b]: [u32; 2]) -> Option<usize> {
-        self.0.get(&(a.min(b), a.max(b))).map(|&edge| edge as usize)
+    /// That of `edges`, numbered from 0; of those with the same ends the first counts.
+    pub(super) fn new(vertices: usize, edges: &[DraftEdge]) -> Self {
+        let ends = edges.iter().zip(0..).filter(|(edge, _)| edge.alias.is_none());
+        let mut rows = Table::new(
+            vertices,
+            ends.map(|(edge, index)| {
+                let [a, b] = edge.ends;
+                (a.min(b), (a.max(b), index))
+            }),
+        );
+        rows.each_row(<[(u32, u32)]>::sort_unstable);
+        Self(rows)
     }
 
-    /// Enters edge `index`, unless another edge has these ends: then that one is returned and stays.
-    pub(super) fn enter(&mut self, [a, b]: [u32; 2], index: usize) -> Option<usize> {
-        let first = *self.0.entry((a.min(b), a.max(b))).or_insert(index as u32) as usize;
-        (first != index).then_some(first)
+    pub(super) fn get(&self, [a, b]: [u32; 2]) -> Option<usize> {
+        let (low, high) = (a.min(b), a.max(b));
+        let row = self.0.row(low as usize);
+        // A hub has a long row.
+        let place = row.partition_point(|(other, _)| *other < high);
+        row.get(place).filter(|(other, _)| *other == high).map(|(_, edge)| *edge as usize)
     }
 }
 

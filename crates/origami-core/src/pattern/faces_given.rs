@@ -24,15 +24,16 @@ pub(super) fn take(draft: &mut Draft, faces: &[Vec<u32>]) -> Result<EdgeMap, Err
 }
 
 fn merge_edges(draft: &mut Draft) -> Result<EdgeMap, Error> {
-    let mut map = EdgeMap::default();
-    for index in 0..draft.edges.len() {
-        let ends = draft.edges[index].ends;
-        let [a, b] = ends.map(|v| draft.points[v as usize]);
+    for (index, edge) in draft.edges.iter().enumerate() {
+        let [a, b] = edge.ends.map(|v| draft.points[v as usize]);
         if a.distance(b) < SHORTEST {
-            let problem = format!("vertices {} and {} lie at one place", ends[0], ends[1]);
+            let problem = format!("vertices {} and {} lie at one place", edge.ends[0], edge.ends[1]);
             return Err(Error::invalid(format!("edges_vertices[{index}]"), problem, "an edge with a length"));
         }
-        if let Some(first) = map.enter(ends, index) {
+    }
+    let map = EdgeMap::new(draft.points.len(), &draft.edges);
+    for index in 0..draft.edges.len() {
+        if let Some(first) = map.get(draft.edges[index].ends).filter(|first| *first != index) {
             let other = draft.edges[index].clone();
             draft.absorb(first, &other);
             draft.edges[index].alias = Some(first as u32);

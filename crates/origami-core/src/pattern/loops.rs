@@ -3,6 +3,8 @@
 //! Half-edge `2 e` runs along edge `e` from its first end to its second, half-edge `2 e + 1` back; each has the region
 //! on its left.
 
+use std::cell::Cell;
+
 use glam::DVec2;
 
 use super::boxes::{Bounds, BoxTree};
@@ -182,8 +184,10 @@ impl HalfEdges {
         let eye = points[contour.leftmost as usize];
         let strip = Bounds { low: DVec2::new(f64::NEG_INFINITY, eye.y), high: eye };
         let mut seen: Option<(f64, f64, usize)> = None;
+        // What is seen hides all farther to the left.
+        let nearest = Cell::new(f64::NEG_INFINITY);
         tree.visit(
-            |bounds| bounds.overlaps(&strip),
+            |bounds| bounds.overlaps(&strip) && bounds.high.x >= nearest.get(),
             |edge| {
                 let from = self.origin[2 * edge];
                 if from == NONE || self.component[from as usize] == contour.component {
@@ -201,6 +205,7 @@ impl HalfEdges {
                 if x < eye.x && seen.is_none_or(|(best, lean, _)| (x, slope) > (best, lean)) {
                     // Right of a line upwards is left of the half-edge downwards.
                     seen = Some((x, slope, 2 * edge + usize::from(up)));
+                    nearest.set(x);
                 }
             },
         );

@@ -8,6 +8,7 @@ use super::notes::Notes;
 use super::paper::no_paper;
 use super::places::Places;
 use super::plane::{extent, orient};
+use super::table::Table;
 use crate::error::Error;
 
 /// What is nearer than this, in sizes of the pattern, touches. Files with six digits are off by as much.
@@ -49,13 +50,15 @@ pub(super) fn arrange(draft: &mut Draft) -> Result<EdgeMap, Error> {
         return Err(no_paper());
     }
     for _ in 0..ROUNDS {
-        let splits = graph.meetings(&pieces)?;
-        note_touching(&mut draft.notes, in_file, &pieces, &splits);
+        let (lines, line_of) = different(&pieces);
+        let splits = graph.meetings(&lines)?;
+        note_touching(&mut draft.notes, in_file, &lines, &splits);
         if splits.is_empty() {
             graph.append_crossings(draft);
-            return Ok(rebuild_edges(draft, &pieces));
+            rebuild_edges(draft, &pieces, &line_of);
+            return Ok(EdgeMap::new(draft.points.len(), &draft.edges));
         }
-        pieces = cut_at(&pieces, splits);
+        pieces = cut_at(&pieces, &lines, &line_of, &splits)?;
     }
     Err(crowded())
 }
@@ -100,30 +103,53 @@ impl Graph {
     fn meetings(&mut self, pieces: &[Piece]) -> Result<Vec<Split>, Error> {
         let bounds: Vec<_> = pieces.iter().map(|piece| Bounds::of(self.ends(piece)[0], self.ends(piece)[1])).collect();
         let tree = BoxTree::new(&bounds);
-        let mut splits = Vec::new();
-        let mut near = Vec::new();
-        for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| piece.fresh) {
-            let [a, b] = self.ends(piece);
+        // In the tree's order, so that what is looked at next is at hand; few pairs have more to be done.
+        let mut pairs = Vec::new();
+        for &index in tree.items().iter().filter(|&&index| pieces[index as usize].fresh) {
+            let index = index as usize;
+            let [a, b] = self.ends(&pieces[index]);
             let own = bounds[index].grown(self.touch);
             let wanted = |other: &Bounds| own.overlaps(other) && !other.grown(self.touch).misses_line(a, b - a);
-            near.clear();
             tree.visit(wanted, |other| {
-                if other != index && !(pieces[other].fresh && other < index) && own.overlaps(&bounds[other]) {
-                    near.push(other);
+                if other != index
+                    && !(pieces[other].fresh && other < index)
+                    && own.overlaps(&bounds[other])
+                    && self.is_meeting(&pieces[index], &pieces[other])
+                {
+                    pairs.push((index, other));
                 }
             });
-            near.sort_unstable();
-            for &other in &near {
-                self.meet(pieces, index, other, &mut splits);
-            }
-            if splits.len() > MOST_PIECES {
+            if pairs.len() > MOST_PIECES {
                 return Err(crowded());
             }
+        }
+        pairs.sort_unstable();
+        let mut splits = Vec::new();
+        for (index, other) in pairs {
+            self.meet(pieces, index, other, &mut splits);
         }
         splits.sort_by_key(|split| (split.piece, split.vertex));
         splits.dedup_by_key(|split| (split.piece, split.vertex));
         splits.sort_by(|a, b| a.piece.cmp(&b.piece).then(a.at.total_cmp(&b.at)));
         Ok(splits)
+    }
+
+    /// Whether one has an end on the other, or they cross.
+    fn is_meeting(&self, one: &Piece, two: &Piece) -> bool {
+        let touching = |end: &Piece, line: &Piece| {
+            end.ends.iter().any(|v| !line.ends.contains(v) && self.touches(*v, line).is_some())
+        };
+        let share = one.ends.iter().any(|v| two.ends.contains(v));
+        touching(one, two) || touching(two, one) || (!share && self.crossing(one, two).is_some())
+    }
+
+    /// At which fractions of their lengths the two cross.
+    fn crossing(&self, one: &Piece, two: &Piece) -> Option<(f64, f64)> {
+        let ([a, b], [c, d]) = (self.ends(one), self.ends(two));
+        let (at_a, at_b) = (orient(c, d, a), orient(c, d, b));
+        let (at_c, at_d) = (orient(a, b, c), orient(a, b, d));
+        let crosses = (at_a > 0.0) != (at_b > 0.0) && (at_c > 0.0) != (at_d > 0.0);
+        crosses.then(|| (at_a / (at_a - at_b), at_c / (at_c - at_d)))
     }
 
     /// Splits for pieces `i` and `j`: at ends that lie on the other one, else where they cross.
@@ -141,13 +167,8 @@ impl Graph {
         if share || splits.len() > before {
             return;
         }
-        let ([a, b], [c, d]) = (self.ends(&pieces[i]), self.ends(&pieces[j]));
-        let (at_a, at_b) = (orient(c, d, a), orient(c, d, b));
-        let (at_c, at_d) = (orient(a, b, c), orient(a, b, d));
-        if (at_a > 0.0) == (at_b > 0.0) || (at_c > 0.0) == (at_d > 0.0) {
-            return;
-        }
-        let (t, u) = (at_a / (at_a - at_b), at_c / (at_c - at_d));
+        let Some((t, u)) = self.crossing(&pieces[i], &pieces[j]) else { return };
+        let [a, b] = self.ends(&pieces[i]);
         let vertex = self.vertex_at(a + t * (b - a), [pieces[i].edge, pieces[j].edge]);
         for (piece, at) in [(i, t), (j, u)] {
             if !pieces[piece].ends.contains(&vertex) {
@@ -197,40 +218,76 @@ fn note_touching(notes: &mut Notes, in_file: usize, pieces: &[Piece], splits: &[
     }
 }
 
-/// The pieces that remain when each is cut at its splits, in order along its edge.
-fn cut_at(pieces: &[Piece], splits: Vec<Split>) -> Vec<Piece> {
-    let mut splits = splits.into_iter().peekable();
-    let mut result = Vec::with_capacity(pieces.len() + splits.len());
-    for (index, piece) in pieces.iter().enumerate() {
-        let mut from = piece.ends[0];
-        let mut fresh = false;
-        while let Some(split) = splits.next_if(|split| split.piece as usize == index) {
-            result.push(Piece { ends: [from, split.vertex], edge: piece.edge, fresh: true });
-            from = split.vertex;
-            fresh = true;
-        }
-        result.push(Piece { ends: [from, piece.ends[1]], edge: piece.edge, fresh });
+/// The first of all pieces that have the same ends, and which of these stands for each piece. Pieces on each other meet
+/// others in the same places: they need not be looked at one by one, let alone be compared.
+fn different(pieces: &[Piece]) -> (Vec<Piece>, Vec<u32>) {
+    let ends = |i: u32| {
+        let [a, b] = pieces[i as usize].ends;
+        [a.min(b), a.max(b)]
+    };
+    let mut order: Vec<u32> = (0..pieces.len() as u32).collect();
+    order.sort_unstable_by_key(|&i| (ends(i), i));
+    let mut first = order.clone();
+    for group in order.chunk_by(|&i, &j| ends(i) == ends(j)) {
+        group.iter().for_each(|&i| first[i as usize] = group[0]);
     }
-    result
+    let mut lines: Vec<Piece> = Vec::with_capacity(pieces.len());
+    let mut line_of = vec![0; pieces.len()];
+    for (index, (piece, &first)) in pieces.iter().zip(&first).enumerate() {
+        if first as usize == index {
+            line_of[index] = lines.len() as u32;
+            lines.push(*piece);
+        } else {
+            line_of[index] = line_of[first as usize];
+            lines[line_of[index] as usize].fresh &= piece.fresh;
+        }
+    }
+    (lines, line_of)
 }
 
-/// Edges from pieces.
-fn rebuild_edges(draft: &mut Draft, pieces: &[Piece]) -> EdgeMap {
-    let mut map = EdgeMap::default();
-    let mut at = pieces.iter().peekable();
+/// The pieces that remain when each is cut where its line is split, in order along its edge.
+fn cut_at(pieces: &[Piece], lines: &[Piece], line_of: &[u32], splits: &[Split]) -> Result<Vec<Piece>, Error> {
+    let of_line = Table::new(lines.len(), splits.iter().map(|split| (split.piece, split.vertex)));
+    let count = line_of.iter().map(|&line| 1 + of_line.row(line as usize).len()).sum();
+    if count > MOST_PIECES {
+        return Err(crowded());
+    }
+    let mut result = Vec::with_capacity(count);
+    for (piece, &line) in pieces.iter().zip(line_of) {
+        let cuts = of_line.row(line as usize);
+        let mut from = piece.ends[0];
+        let mut cut = |to: u32| {
+            let fresh = !cuts.is_empty();
+            result.push(Piece { ends: [std::mem::replace(&mut from, to), to], edge: piece.edge, fresh });
+        };
+        if piece.ends == lines[line as usize].ends {
+            cuts.iter().for_each(|&vertex| cut(vertex));
+        } else {
+            cuts.iter().rev().for_each(|&vertex| cut(vertex));
+        }
+        cut(piece.ends[1]);
+    }
+    Ok(result)
+}
+
+/// Edges from pieces; of those on one line the first stands for all.
+fn rebuild_edges(draft: &mut Draft, pieces: &[Piece], line_of: &[u32]) {
+    let mut at = pieces.iter().zip(line_of).peekable();
+    let mut edge_of_line: Vec<Option<usize>> = vec![None; pieces.len()];
     let mut vanished = Vec::new();
     for index in 0..draft.edges.len() {
         let whole = draft.edges[index].clone();
         let mut first = true;
-        while let Some(piece) = at.next_if(|piece| piece.edge as usize == index) {
+        while let Some((piece, &line)) = at.next_if(|(piece, _)| piece.edge as usize == index) {
             let part = DraftEdge { ends: piece.ends, ..whole.clone() };
             let number = if first { index } else { draft.edges.len() };
-            let standing = map.enter(piece.ends, number);
+            let standing = edge_of_line[line as usize];
             match standing {
                 Some(standing) => draft.absorb(standing, &part),
                 None if first => draft.edges[index] = part,
                 None => draft.edges.push(part),
             }
+            edge_of_line[line as usize] = standing.or(Some(number));
             if first {
                 draft.edges[index].alias = standing.map(|edge| edge as u32);
             }
@@ -241,7 +298,6 @@ fn rebuild_edges(draft: &mut Draft, pieces: &[Piece]) -> EdgeMap {
         }
     }
     replace_vanished(draft, &vanished);
-    map
 }
 
 /// Lets an edge at the same vertex, or any edge, stand for each of those whose ends were merged.

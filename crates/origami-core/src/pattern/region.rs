@@ -31,6 +31,8 @@ impl fmt::Display for Fault {
 }
 
 const NONE: u32 = u32::MAX;
+/// Regions of so many corners are not triangulated point by point.
+const MANY: usize = 1000;
 
 /// Triangles of the region to the left of `outlines`: one counterclockwise outline, and a clockwise one around each
 /// island. Numbers are those of the corners, counted through all outlines.
@@ -65,12 +67,7 @@ fn followers(outlines: &[Vec<DVec2>]) -> Vec<usize> {
 
 /// The triangulation with all sides in it, and the vertex of each corner.
 fn delaunay(points: &[DVec2], next: &[usize]) -> Result<(Cdt, Vec<FixedVertexHandle>), Fault> {
-    let mut cdt = Cdt::new();
-    let mut handles = Vec::with_capacity(points.len());
-    for point in points {
-        let point = spade::mitigate_underflow(Point2::new(point.x, point.y));
-        handles.push(cdt.insert(point).map_err(|_| Fault::Touches)?);
-    }
+    let (mut cdt, handles) = vertices(points)?;
     for (&from, &next) in handles.iter().zip(next) {
         let to = handles[next];
         if from == to {
@@ -81,6 +78,19 @@ fn delaunay(points: &[DVec2], next: &[usize]) -> Result<(Cdt, Vec<FixedVertexHan
         }
         cdt.add_constraint(from, to);
     }
+    Ok((cdt, handles))
+}
+
+/// The triangulation of the points alone, and the vertex of each.
+fn vertices(points: &[DVec2]) -> Result<(Cdt, Vec<FixedVertexHandle>), Fault> {
+    let points = points.iter().map(|point| spade::mitigate_underflow(Point2::new(point.x, point.y)));
+    let mut cdt = Cdt::new();
+    if points.len() >= MANY {
+        // All at once: one by one, the outlines of long combs take the square of their length.
+        cdt = Cdt::bulk_load(points.clone().collect()).map_err(|_| Fault::Touches)?;
+    }
+    // Those that are there already get their vertex.
+    let handles = points.map(|point| cdt.insert(point).map_err(|_| Fault::Touches)).collect::<Result<_, _>>()?;
     Ok((cdt, handles))
 }
 

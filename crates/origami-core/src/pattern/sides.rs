@@ -25,26 +25,41 @@ pub(super) type Sides = Vec<[Option<Side>; 2]>;
 
 /// Finds the edge of every side of every face. Sides that no edge has yet get one, with `letter`.
 pub(super) fn collect(draft: &mut Draft, map: &mut EdgeMap, letter: Option<Letter>) -> Result<Sides, Error> {
+    if add_missing(draft, map, letter) {
+        *map = EdgeMap::new(draft.points.len(), &draft.edges);
+    }
     let mut sides: Sides = vec![[None; 2]; draft.edges.len()];
-    for (index, face) in draft.faces.iter().enumerate() {
-        for corner in 0..face.len() {
-            let side = Side { face: index as u32, corner: corner as u32 };
-            let ends = side.ends(&draft.faces);
-            let edge = map.get(ends).unwrap_or_else(|| {
-                map.enter(ends, draft.edges.len());
-                draft.edges.push(DraftEdge::new(ends, letter, index));
-                sides.push([None; 2]);
-                draft.edges.len() - 1
-            });
-            match &mut sides[edge] {
-                [free @ None, _] | [Some(_), free @ None] => *free = Some(side),
-                [Some(a), Some(b)] => {
-                    let place = draft.edges[edge].origin.place("edges_vertices");
-                    let problem = format!("the line is a side of faces_vertices {}, {} and {index}", a.face, b.face);
-                    return Err(Error::invalid(place, problem, "at most two faces at an edge"));
-                }
+    for side in sides_of(&draft.faces) {
+        let edge = map.get(side.ends(&draft.faces)).expect("every side has an edge by now");
+        match &mut sides[edge] {
+            [free @ None, _] | [Some(_), free @ None] => *free = Some(side),
+            [Some(a), Some(b)] => {
+                let place = draft.edges[edge].origin.place("edges_vertices");
+                let problem = format!("the line is a side of faces_vertices {}, {} and {}", a.face, b.face, side.face);
+                return Err(Error::invalid(place, problem, "at most two faces at an edge"));
             }
         }
     }
     Ok(sides)
+}
+
+fn sides_of(faces: &[Vec<u32>]) -> impl Iterator<Item = Side> {
+    let of = |(face, corners): (u32, usize)| (0..corners as u32).map(move |corner| Side { face, corner });
+    (0..).zip(faces.iter().map(Vec::len)).flat_map(of)
+}
+
+/// Appends the edges that sides lack, in the order of the sides. Says whether there were any.
+fn add_missing(draft: &mut Draft, map: &EdgeMap, letter: Option<Letter>) -> bool {
+    let lacking = |(place, side): (usize, Side)| {
+        let [a, b] = side.ends(&draft.faces);
+        map.get([a, b]).is_none().then_some(([a.min(b), a.max(b)], place, side))
+    };
+    let mut missing: Vec<_> = sides_of(&draft.faces).enumerate().filter_map(lacking).collect();
+    missing.sort_unstable_by_key(|(ends, place, _)| (*ends, *place));
+    missing.dedup_by_key(|(ends, ..)| *ends);
+    missing.sort_unstable_by_key(|(_, place, _)| *place);
+    for (.., side) in &missing {
+        draft.edges.push(DraftEdge::new(side.ends(&draft.faces), letter, side.face as usize));
+    }
+    !missing.is_empty()
 }

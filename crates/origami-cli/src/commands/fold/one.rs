@@ -2,14 +2,14 @@
 
 use origami::model::Model;
 use origami::solve::{Failed, Progress, Stop, fold_path};
-use origami::{CreasePattern, Error, Warning};
+use origami::{CreasePattern, Error, Warning, measure};
 
 use super::summary::{self, Told};
 use crate::draw::{self, Artist, Brush, Subject};
 use crate::exit::Exit;
 use crate::files::{self, Destination, Format, Input, Sheet, Target};
-use crate::report::{Divergence, Ending, Measured, Report, Run, Scene, Seconds};
-use crate::settings::Settings;
+use crate::report::{Divergence, Ending, Measured, Note, Report, Run, Scene, Seconds};
+use crate::settings::{Settings, dangers};
 use crate::stopwatch::Stopwatch;
 
 /// How far one input has come.
@@ -64,8 +64,10 @@ fn attempt(
     seconds.build = watch.lap();
 
     let place = settings.backend.place(&settings.method, model.node_count());
-    told.warnings.extend(place.warning);
-    let scene = Scene::new(&pattern, &model, &place.solver.inventory(&model), &pattern.warnings);
+    let mut warnings = dangers(&model, &settings.percents, place.adapter.is_some().then_some(settings.tolerance));
+    told.warnings.extend(warnings.iter().cloned().chain(place.warning));
+    warnings.splice(0..0, pattern.warnings.iter().cloned());
+    let scene = Scene::new(&pattern, &model, &place.solver.inventory(&model), &warnings);
     let solved = fold_path(&model, place.solver.as_ref(), &settings.percents, &mut |stage, progress| {
         observe(Seen::Stage(stage, progress));
     });
@@ -108,6 +110,9 @@ fn attempt(
         }
     };
 
+    let frustration = states.last().and_then(|folded| measure::frustration(&model, folded));
+    run.scene.warnings.extend(frustration.iter().map(Note::from));
+    told.warnings.extend(frustration);
     let frames: Vec<Measured> = states.iter().map(|folded| Measured::new(&model, folded)).collect();
     run.measured = overall(&frames);
     run.frames = settings.animated.then_some(frames);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use origami::study::{Options, Study, StudyError, Watch, accuracy, stability};
+use origami::study::{Options, StudyError, Watch, accuracy, stability};
 
 use super::{folder, patterns};
 use crate::args::{ADAPTER_VARIABLE, BackendName, StudyArgs, StudyBackend, StudyName};
@@ -28,9 +28,9 @@ pub(in crate::commands) fn run(args: &StudyArgs) -> Result<Exit, Failure> {
         StudyBackend::Gpu => BackendName::Gpu,
     };
     let gpu = Backend::new(gpu, args.adapter.as_deref())?.studied();
-    let (study, document): (fn(&Options, &mut dyn Watch) -> Result<Study, StudyError>, _) = match args.study {
-        StudyName::Accuracy => (accuracy::study, "accuracy.md"),
-        StudyName::Stability => (stability::study, "stability.md"),
+    let document = match args.study {
+        StudyName::Accuracy => "accuracy.md",
+        StudyName::Stability => "stability.md",
     };
     folder::make(&args.output, document)?;
     if !args.quiet {
@@ -44,7 +44,10 @@ pub(in crate::commands) fn run(args: &StudyArgs) -> Result<Exit, Failure> {
     let mut watch = Stopwatch::start();
     let options = Options { patterns, quick: args.quick, time_limit: args.time_limit(), gpu };
     let mut follower = Follower { line: ProgressLine::of_runs(args.quiet), runs: 0 };
-    let done = study(&options, &mut follower);
+    let done = match args.study {
+        StudyName::Accuracy => accuracy::study(&options, &mut follower),
+        StudyName::Stability => stability::study(&options, &mut follower),
+    };
     follower.line.finish();
     let paths = done.and_then(|study| study.write(&args.output)).map_err(failure)?;
     if !args.quiet {

@@ -3,7 +3,7 @@
 use origami::fold::Document;
 use origami::model::{Inventory, Model};
 use origami::solve::{Failed, Folded, Instance, Point, Solver, Sweep};
-use origami::{CreasePattern, Error};
+use origami::{CreasePattern, Error, Warning};
 use rayon::prelude::*;
 
 use super::folder::Folder;
@@ -12,6 +12,7 @@ use crate::draw::Artist;
 use crate::files::{self, Destination, Sheet, Target};
 use crate::progress::ProgressLine;
 use crate::report::{Divergence, Ending, Measured, Row, Scene, Seconds, Varied};
+use crate::settings::dangers;
 use crate::stopwatch::Stopwatch;
 
 /// Nodes of all sheets that are held at once: some hundred megabytes, each with a model and states of its own.
@@ -26,6 +27,8 @@ pub(super) struct Work<'a> {
     pub(super) solver: &'a dyn Solver,
     pub(super) folder: &'a Folder<'a>,
     pub(super) line: &'a ProgressLine,
+    /// The tolerance, where a GPU computes.
+    pub(super) on_gpu: Option<f64>,
 }
 
 /// What came of it.
@@ -35,6 +38,8 @@ pub(super) struct Done {
     pub(super) scenes: Vec<Scene>,
     /// The message of the first sheet that diverged.
     pub(super) first_divergence: Option<String>,
+    /// What is dangerous about them, each once.
+    pub(super) dangers: Vec<Warning>,
     inventories: Vec<Inventory>,
 }
 
@@ -94,7 +99,14 @@ impl Work<'_> {
         let inventory = self.solver.inventory(model);
         let seen = done.inventories.iter().position(|other| *other == inventory);
         seen.unwrap_or_else(|| {
-            done.scenes.push(Scene::new(self.pattern, model, &inventory, &self.pattern.warnings));
+            let dangers = dangers(model, &self.sweep.percents, self.on_gpu);
+            let warnings: Vec<Warning> = self.pattern.warnings.iter().chain(&dangers).cloned().collect();
+            done.scenes.push(Scene::new(self.pattern, model, &inventory, &warnings));
+            dangers.into_iter().for_each(|danger| {
+                if !done.dangers.contains(&danger) {
+                    done.dangers.push(danger);
+                }
+            });
             done.inventories.push(inventory);
             done.scenes.len() - 1
         })

@@ -60,6 +60,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         solver: place.solver.as_ref(),
         folder: &folder,
         line: &line,
+        on_gpu: place.adapter.is_some().then_some(args.solving.tolerance),
     };
     let threads = args.threads.map_or(0, usize::from);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
@@ -67,6 +68,9 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let done = pool.install(|| work.run(count, &mut seconds));
     line.finish();
     let done = done.map_err(told)?;
+    if !args.quiet {
+        done.dangers.iter().for_each(console::warning);
+    }
 
     watch.lap();
     let mut table = Table {

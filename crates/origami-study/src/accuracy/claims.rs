@@ -1,0 +1,84 @@
+//! Whether `converged` is true: each claim against the equilibrium that the run was approaching.
+
+use origami_core::{Dynamics, Folded, Relax, Solver, State};
+
+use super::reference::{self, Branch, Equilibrium};
+use super::scenes::Scene;
+use crate::table::{Cell, Column, Table};
+
+/// Tolerances asked of `relax`, in radii.
+const TOLERANCES: [f64; 4] = [1e-3, 1e-4, 1e-5, 1e-6];
+/// Steps after which the paper's scheme gives up.
+const MOST_STEPS: u64 = 30_000;
+
+pub(super) const COLUMNS: &[Column] = &[
+    Column { key: "scene", head: "scene", meaning: "what is folded" },
+    Column { key: "percent", head: "%", meaning: "percentage of the pattern's fold angles" },
+    Column { key: "start", head: "start", meaning: "a jump, or the default ramp" },
+    Column { key: "solver", head: "solver", meaning: "which makes the claim" },
+    Column { key: "tolerance", head: "tolerance", meaning: "distance asked for, in radii" },
+    Column { key: "evaluations", head: "evaluations", meaning: "force evaluations" },
+    Column { key: "converged", head: "converged", meaning: "whether the solver says so" },
+    Column { key: "estimate", head: "estimate", meaning: "distance that the solver estimates, in radii" },
+    Column { key: "distance", head: "distance", meaning: "largest distance from the equilibrium, in radii" },
+    Column { key: "branch", head: "branch", meaning: "whether that equilibrium is the reference" },
+    Column { key: "kept", head: "kept", meaning: "whether the distance is within the tolerance, where converged" },
+];
+
+/// All claims and how many were kept.
+pub(super) struct Claims {
+    pub(super) table: Table,
+    pub(super) made: usize,
+    pub(super) kept: usize,
+    /// Those that were not, as rows.
+    pub(super) misses: Table,
+}
+
+impl Claims {
+    pub(super) fn new() -> Self {
+        Self { table: Table::new(COLUMNS), misses: Table::new(COLUMNS), made: 0, kept: 0 }
+    }
+
+    /// Asks both solvers on a scene.
+    pub(super) fn add(&mut self, scene: &Scene, reference: &Equilibrium) {
+        for tolerance in TOLERANCES {
+            let relax = Relax { tolerance, ramp: Some(scene.ramp), ..Relax::default() };
+            self.ask("relax", &relax, tolerance, scene, reference);
+        }
+        let dynamics = Dynamics { ramp: scene.ramp, max_steps: MOST_STEPS, ..Dynamics::default() };
+        self.ask("dynamics", &dynamics, dynamics.tolerance, scene, reference);
+    }
+
+    fn ask(&mut self, name: &str, solver: &dyn Solver, tolerance: f64, scene: &Scene, reference: &Equilibrium) {
+        let folded = solver.fold(&scene.model, &State::at_rest(&scene.model), scene.percent, &mut |_| {});
+        let Ok(folded) = folded else { return };
+        let (branch, own) = reference::branch(&scene.model, &folded.state, reference);
+        let distance = reference::error(&folded.state.positions, own.as_ref().unwrap_or(reference)).max;
+        let row = row(name, &folded, tolerance, scene, branch, distance);
+        if folded.converged() {
+            self.made += 1;
+            if distance <= tolerance {
+                self.kept += 1;
+            } else {
+                self.misses.push(row.clone());
+            }
+        }
+        self.table.push(row);
+    }
+}
+
+fn row(name: &str, folded: &Folded, tolerance: f64, scene: &Scene, branch: Branch, distance: f64) -> Vec<Cell> {
+    vec![
+        scene.name.as_str().into(),
+        scene.percent.into(),
+        if scene.ramp == 0 { "jump" } else { "ramp" }.into(),
+        name.into(),
+        tolerance.into(),
+        folded.steps.into(),
+        folded.converged().into(),
+        folded.distance.into(),
+        distance.into(),
+        branch.told().into(),
+        folded.converged().then_some(distance <= tolerance).into(),
+    ]
+}

@@ -2,7 +2,7 @@
 
 use origami_core::measure::align;
 use origami_core::solve::{Integrator, TimeStep};
-use origami_core::{Dynamics, Relax, State};
+use origami_core::{Dynamics, State};
 
 use super::motion::{self, Held, Motion};
 use super::row::{Budget, Found, follow, unpanicked};
@@ -28,8 +28,9 @@ pub(super) struct OnGpu {
 
 /// Runs a scene once more; `None` without a GPU.
 pub(super) fn run(scene: &Scene, found: &Found, budget: Budget, gpus: &Gpus) -> Option<OnGpu> {
-    // Asked here, so that what follows need not.
-    gpus.name()?;
+    if !gpus.is_there() {
+        return None;
+    }
     let (safe, end) = unpanicked(|| motion(scene, found, budget, gpus))
         .unwrap_or_else(|panic| (Held::Wrong(format!("panicked: {panic}")), None));
     let after_steps = found.end.as_ref().zip(end).map(|(in_64, in_32)| distance(in_64, &in_32));
@@ -47,7 +48,7 @@ fn distance(one: &State, other: &State) -> f64 {
 fn motion(scene: &Scene, found: &Found, budget: Budget, gpus: &Gpus) -> (Held, Option<State>) {
     let (steps, _) = budget.of(scene.size);
     let solver = motion::piece(Dynamics { time_step: TimeStep::Safe, ..Dynamics::default() }, steps);
-    let Some(solver) = gpus.with(OnEither::Dynamics(solver)) else { return (Held::Wrong("no GPU".into()), None) };
+    let solver = gpus.with(OnEither::Dynamics(solver));
     // The bound is 2 / sqrt of the largest stiffness that a node feels.
     let stiffness = 4.0 / found.at_rest.bound.powi(2);
     let rounding = found.model.node_count() as f64 * stiffness * ROUNDING * ROUNDING;
@@ -56,10 +57,7 @@ fn motion(scene: &Scene, found: &Found, budget: Budget, gpus: &Gpus) -> (Held, O
 }
 
 fn relax(scene: &Scene, found: &Found, budget: Budget, gpus: &Gpus) -> Result<(bool, State), Held> {
-    let on_gpu = |relax: &Relax| gpus.with(OnEither::Relax(relax.clone()));
-    let folded = follow(scene, &found.model, budget, |relax| {
-        on_gpu(relax).unwrap_or_else(|| OnEither::Relax(relax.clone()).on_cpu())
-    });
+    let folded = follow(scene, &found.model, budget, |relax| gpus.with(OnEither::Relax(relax.clone())));
     match folded {
         Ok(folded) if motion::is_finite(&folded.state) => Ok((folded.converged(), folded.state)),
         Ok(_) => Err(Held::Wrong("not finite".into())),

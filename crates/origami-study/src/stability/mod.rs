@@ -42,7 +42,7 @@ fn rows(options: &Options, deadline: Deadline, watch: &mut dyn Watch) -> Vec<Row
     let budget = Budget::new(options.quick);
     let mut scenes = scenes::all();
     scenes.retain(|scene| scene.quick || !options.quick);
-    let on_gpu = if options.gpu.name().is_some() { scenes.len() } else { 0 };
+    let on_gpu = if options.gpu.is_there() { scenes.len() } else { 0 };
     watch.begins(scenes.len() + on_gpu + 1);
     let answers = run::all(&scenes, budget, deadline, watch);
     let mut row = |(scene, answer)| {

@@ -1,0 +1,194 @@
+//! Four numbers in an array: right everywhere, and as fast as the compiler makes it.
+
+use std::array::from_fn;
+
+use super::super::lane::{Lane, Mesh};
+use super::super::real::{Quad64, Real};
+
+/// Four numbers. `FUSED`: products and sums are rounded once, as the other lanes do it; slow where the processor cannot.
+#[derive(Clone, Copy)]
+pub(in super::super) struct Portable<R, const FUSED: bool>(pub(in super::super) std::marker::PhantomData<R>);
+
+/// Whether all processors that this is compiled for round a product and a sum once.
+pub(in super::super) const FUSES: bool = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
+
+macro_rules! portable {
+    ($real:ty) => {
+        impl<const FUSED: bool> Lane for Portable<$real, FUSED> {
+            type Real = $real;
+            type Raw = [$real; 4];
+            type Mask = [bool; 4];
+            const WIDTH: usize = 4;
+
+            #[inline(always)]
+            fn splat(self, x: $real) -> [$real; 4] {
+                [x; 4]
+            }
+
+            #[inline(always)]
+            fn load(self, from: &[$real]) -> [$real; 4] {
+                *from.first_chunk().expect("as many as there are lanes")
+            }
+
+            #[inline(always)]
+            fn store(self, raw: [$real; 4], to: &mut [$real]) {
+                *to.first_chunk_mut().expect("as many as there are lanes") = raw;
+            }
+
+            #[inline(always)]
+            fn add(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
+                from_fn(|i| a[i] + b[i])
+            }
+
+            #[inline(always)]
+            fn sub(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
+                from_fn(|i| a[i] - b[i])
+            }
+
+            #[inline(always)]
+            fn mul(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
+                from_fn(|i| a[i] * b[i])
+            }
+
+            #[inline(always)]
+            fn div(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
+                from_fn(|i| a[i] / b[i])
+            }
+
+            #[inline(always)]
+            fn mul_add(self, a: [$real; 4], b: [$real; 4], c: [$real; 4]) -> [$real; 4] {
+                from_fn(|i| if FUSED { a[i].mul_add(b[i], c[i]) } else { a[i] * b[i] + c[i] })
+            }
+
+            #[inline(always)]
+            fn mul_sub(self, a: [$real; 4], b: [$real; 4], c: [$real; 4]) -> [$real; 4] {
+                from_fn(|i| if FUSED { a[i].mul_add(b[i], -c[i]) } else { a[i] * b[i] - c[i] })
+            }
+
+            #[inline(always)]
+            fn sub_mul(self, a: [$real; 4], b: [$real; 4], c: [$real; 4]) -> [$real; 4] {
+                from_fn(|i| if FUSED { (-a[i]).mul_add(b[i], c[i]) } else { c[i] - a[i] * b[i] })
+            }
+
+            #[inline(always)]
+            fn max(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
+                // As x86 has it: the second where they cannot be compared.
+                from_fn(|i| if a[i] > b[i] { a[i] } else { b[i] })
+            }
+
+            #[inline(always)]
+            fn min(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
+                from_fn(|i| if a[i] < b[i] { a[i] } else { b[i] })
+            }
+
+            #[inline(always)]
+            fn sqrt(self, a: [$real; 4]) -> [$real; 4] {
+                a.map(<$real>::sqrt)
+            }
+
+            #[inline(always)]
+            fn abs(self, a: [$real; 4]) -> [$real; 4] {
+                a.map(<$real>::abs)
+            }
+
+            #[inline(always)]
+            fn less(self, a: [$real; 4], b: [$real; 4]) -> [bool; 4] {
+                from_fn(|i| a[i] < b[i])
+            }
+
+            #[inline(always)]
+            fn and(self, a: [bool; 4], b: [bool; 4]) -> [bool; 4] {
+                from_fn(|i| a[i] & b[i])
+            }
+
+            #[inline(always)]
+            fn all(self, mask: [bool; 4]) -> bool {
+                mask == [true; 4]
+            }
+
+            #[inline(always)]
+            fn select(self, mask: [bool; 4], yes: [$real; 4], no: [$real; 4]) -> [$real; 4] {
+                from_fn(|i| if mask[i] { yes[i] } else { no[i] })
+            }
+        }
+
+        impl<const FUSED: bool> Mesh for Portable<$real, FUSED> {
+            type Node = Self;
+            type Place = Portable<f64, FUSED>;
+
+            #[inline(always)]
+            fn node(self) -> Self {
+                self
+            }
+
+            #[inline(always)]
+            fn place(self) -> Portable<f64, FUSED> {
+                Portable(std::marker::PhantomData)
+            }
+
+            #[inline(always)]
+            fn load_node(self, from: <$real as Real>::Quad) -> [$real; 4] {
+                from.0
+            }
+
+            #[inline(always)]
+            fn store_node(self, raw: [$real; 4]) -> <$real as Real>::Quad {
+                <$real>::quad(raw)
+            }
+
+            #[inline(always)]
+            fn load_place(self, from: Quad64) -> [f64; 4] {
+                from.0
+            }
+
+            #[inline(always)]
+            fn store_place(self, raw: [f64; 4]) -> Quad64 {
+                Quad64(raw)
+            }
+
+            #[inline(always)]
+            fn widen(self, raw: [$real; 4]) -> [f64; 4] {
+                raw.map(<$real>::to_f64)
+            }
+
+            #[inline(always)]
+            fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [[$real; 4]; 3] {
+                let mut ways = [[0.0; 4]; 3];
+                for i in 0..4 {
+                    let [from, to] = [from[i], to[i]].map(|n| places[n as usize].0);
+                    for c in 0..3 {
+                        ways[c][i] = <$real>::of(to[c] - from[c]);
+                    }
+                }
+                ways
+            }
+
+            #[inline(always)]
+            fn apart(self, vectors: &[<$real as Real>::Quad], from: &[u32], to: &[u32]) -> [[$real; 4]; 3] {
+                let mut ways = [[0.0; 4]; 3];
+                for i in 0..4 {
+                    let [from, to] = [from[i], to[i]].map(|n| vectors[n as usize].0);
+                    for c in 0..3 {
+                        ways[c][i] = to[c] - from[c];
+                    }
+                }
+                ways
+            }
+
+            #[inline(always)]
+            fn pick(self, values: &[$real], at: &[u32]) -> [$real; 4] {
+                from_fn(|i| values[at[i] as usize])
+            }
+
+            #[inline(always)]
+            fn spread(self, [x, y, z]: [[$real; 4]; 3], to: &mut [<$real as Real>::Quad]) {
+                for i in 0..4 {
+                    to[i] = <$real>::quad([x[i], y[i], z[i], 0.0]);
+                }
+            }
+        }
+    };
+}
+
+portable!(f64);
+portable!(f32);

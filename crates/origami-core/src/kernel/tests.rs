@@ -113,7 +113,7 @@ fn timing() {
         let model = Model::new(&pattern, &Material::default()).expect("valid");
         let nodes = model.node_count();
         let scene = Scene::new(model, 1, 1e-4);
-        let repeat = (4_000_000 / nodes).max(10);
+        let repeat = (30_000 / nodes).max(1);
         time::<f64>(&scene, repeat);
         time::<f32>(&scene, repeat);
     }
@@ -127,7 +127,7 @@ fn time<R: Compute>(scene: &Scene, repeat: usize) {
         }
         let mut kernel = scene.kernel::<R>(isa);
         let mut each = [f64::INFINITY; 4];
-        for _ in 0..5 {
+        for _ in 0..60 {
             let mut of = |place: usize, pass: &mut dyn FnMut(&mut Kernel<R>)| {
                 let start = Instant::now();
                 for _ in 0..repeat {

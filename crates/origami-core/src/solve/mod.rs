@@ -10,8 +10,10 @@ pub mod fire;
 pub mod guard;
 #[cfg(feature = "newton")]
 pub mod newton;
+mod motion;
 mod path;
 mod perturb;
+mod precision;
 mod ramp;
 pub mod relax;
 pub mod row_sums;
@@ -27,6 +29,7 @@ pub use failed::Failed;
 pub use guard::{Diverged, Quantity};
 #[cfg(feature = "newton")]
 pub use newton::Newton;
+pub use precision::Precision;
 pub use path::{PathFailed, fold_path, frame_percents};
 pub use relax::{Relax, default_ramp};
 pub use session::Session;

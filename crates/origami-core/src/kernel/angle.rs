@@ -8,17 +8,17 @@ use super::real::Real;
 /// The angle with sine and cosine proportional to `y` and `x`; 0 where both are 0.
 #[inline(always)]
 pub(super) fn angle_of<L: Lane>(y: Num<L>, x: Num<L>) -> Num<L> {
-    let number = |x| Num::splat(y.lane, x);
-    let zero = number(0.0);
+    let lane = y.lane;
+    let zero = Num::splat(lane, 0.0);
     let (along, across) = (x.abs(), y.abs());
     let (far, near) = (along.max(across), along.min(across));
     // From pi/8 on turned back by pi/4: the series then sees at most tan(pi/8).
-    let turned = (far * number(0.414_213_562_373_095_05)).less(near);
+    let turned = (far * Num::splat(lane, 0.414_213_562_373_095_05)).less(near);
     let t = turned.select(near - far, near) / turned.select(near + far, far);
     let t = zero.less(far).select(t, zero);
-    let angle = series(L::Real::ARCTANGENT, t) + turned.select(number(FRAC_PI_4), zero);
-    let angle = along.less(across).select(number(FRAC_PI_2) - angle, angle);
-    let angle = x.less(zero).select(number(PI) - angle, angle);
+    let angle = series(L::Real::ARCTANGENT, t) + turned.select(Num::splat(lane, FRAC_PI_4), zero);
+    let angle = along.less(across).select(Num::splat(lane, FRAC_PI_2) - angle, angle);
+    let angle = x.less(zero).select(Num::splat(lane, PI) - angle, angle);
     y.less(zero).select(-angle, angle)
 }
 

@@ -51,8 +51,9 @@ fn edge<L: Mesh>(
 ) -> (Num<L>, Num<L>) {
     let (apexes, ends) = nodes.split_at(2 * L::WIDTH);
     let ((one, two), (end, other_end)) = (apexes.split_at(L::WIDTH), ends.split_at(L::WIDTH));
-    let way = |to| Vec3::new(lane, lane.between(places, end, to));
-    let (along, to_one, to_two) = (way(other_end), way(one), way(two));
+    let along = Vec3::new(lane, lane.between(places, end, other_end));
+    let to_one = Vec3::new(lane, lane.between(places, end, one));
+    let to_two = Vec3::new(lane, lane.between(places, end, two));
     let (normal_one, normal_two) = (along.cross(to_one), to_two.cross(along));
     let squared = along.dot(along);
     let limit = Num::splat(lane, DEGENERATE * DEGENERATE);

@@ -32,8 +32,8 @@ impl<R: Real> Pass<R> for Faces<'_, R> {
         let slots = slots.chunks_exact_mut(3 * L::WIDTH);
         for (chunk, (corners, slots)) in corners.zip(slots).enumerate() {
             let forces = input.face(lane, chunk, corners);
-            for (force, slots) in forces.into_iter().zip(slots.chunks_exact_mut(L::WIDTH)) {
-                lane.spread(force.raw(), slots);
+            for (i, force) in forces.iter().enumerate() {
+                lane.spread(force.raw(), &mut slots[i * L::WIDTH..][..L::WIDTH]);
             }
         }
     }
@@ -43,7 +43,24 @@ impl<R: Real> Pass<R> for Faces<'_, R> {
 #[inline(always)]
 fn fields<const N: usize, L: Mesh>(lane: L, list: &[L::Real], chunk: usize) -> [Num<L>; N] {
     let own = &list[chunk * N * L::WIDTH..][..N * L::WIDTH];
-    std::array::from_fn(|i| Num::load(lane, &own[i * L::WIDTH..]))
+    let mut fields = [Num::splat(lane, 0.0); N];
+    for (i, field) in fields.iter_mut().enumerate() {
+        *field = Num::load(lane, &own[i * L::WIDTH..]);
+    }
+    fields
+}
+
+/// 0 for 0: what has shrunk to nothing has no direction, and so no force.
+#[inline(always)]
+fn inverse<L: Mesh>(x: Num<L>) -> Num<L> {
+    let inverse = Num::splat(x.lane, 1.0) / x;
+    Num::splat(x.lane, L::Real::LEAST).less(x).select(inverse, Num::splat(x.lane, 0.0))
+}
+
+/// The angle at a corner less that at rest, by turning its cosine and sine back.
+#[inline(always)]
+fn deviation<L: Mesh>(cosine: Num<L>, sine: Num<L>, doubled_area: Num<L>, along: Num<L>) -> Num<L> {
+    small_angle_of(doubled_area.mul_sub(cosine, along * sine), along.mul_add(cosine, doubled_area * sine))
 }
 
 /// What is read.
@@ -57,35 +74,31 @@ struct Input<'a, R: Real> {
 impl<R: Real> Input<'_, R> {
     #[inline(always)]
     fn face<L: Mesh<Real = R>>(&self, lane: L, chunk: usize, corners: &[u32]) -> [Vec3<L>; 3] {
-        let zero = Num::splat(lane, 0.0);
-        let (a, bc) = corners.split_at(L::WIDTH);
-        let (b, c) = bc.split_at(L::WIDTH);
-        let way = |from, to| Vec3::new(lane, lane.between(self.places, from, to));
-        let sides = [way(a, b), way(b, c), way(c, a)];
-        let [ab, bc, ca] = sides;
-        let squares = sides.map(|side| side.dot(side));
+        let (a, b_and_c) = corners.split_at(L::WIDTH);
+        let (b, c) = b_and_c.split_at(L::WIDTH);
+        let ab = Vec3::new(lane, lane.between(self.places, a, b));
+        let bc = Vec3::new(lane, lane.between(self.places, b, c));
+        let ca = Vec3::new(lane, lane.between(self.places, c, a));
+        let squares = [ab.dot(ab), bc.dot(bc), ca.dot(ca)];
         let dots = [-ab.dot(ca), -ab.dot(bc), -bc.dot(ca)];
         let normal = ca.cross(ab);
         let normal_squared = normal.dot(normal);
         let doubled_area = normal_squared.sqrt();
-        // What has shrunk to nothing has no direction, and so no force.
-        let inverse = |x: Num<L>| Num::splat(lane, R::LEAST).less(x).select(Num::splat(lane, 1.0) / x, zero);
-        let lengths = squares.map(Num::sqrt);
-        let over_lengths = lengths.map(inverse);
+        let [l_ab, l_bc, l_ca] = [squares[0].sqrt(), squares[1].sqrt(), squares[2].sqrt()];
+        let [over_ab, over_bc, over_ca] = [inverse(l_ab), inverse(l_bc), inverse(l_ca)];
 
         // The beams: forces over lengths, k (l - l0) / l.
         let [rest_ab, rest_bc, rest_ca, k_ab, k_bc, k_ca] = fields(lane, &self.sheet.beams, chunk);
-        let tension = |i: usize, rest: Num<L>, k: Num<L>| k * (lengths[i] - rest) * over_lengths[i];
-        let tensions = [tension(0, rest_ab, k_ab), tension(1, rest_bc, k_bc), tension(2, rest_ca, k_ca)];
-        let mut at_a = ca.sub_mul(tensions[2], ab * tensions[0]);
-        let mut at_b = ab.sub_mul(tensions[0], bc * tensions[1]);
+        let on_ab = k_ab * (l_ab - rest_ab) * over_ab;
+        let on_bc = k_bc * (l_bc - rest_bc) * over_bc;
+        let on_ca = k_ca * (l_ca - rest_ca) * over_ca;
+        let mut at_a = ca.sub_mul(on_ca, ab * on_ab);
+        let mut at_b = ab.sub_mul(on_ab, bc * on_bc);
 
         if !self.velocities.is_empty() {
             let [c_ab, c_bc, c_ca] = fields(lane, &self.sheet.damping, chunk);
-            let (a, bc) = corners.split_at(L::WIDTH);
-            let (b, c) = bc.split_at(L::WIDTH);
-            let apart = |from, to| Vec3::new(lane, lane.apart(self.velocities, from, to));
-            let (ab, bc) = (apart(a, b), apart(b, c));
+            let ab = Vec3::new(lane, lane.apart(self.velocities, a, b));
+            let bc = Vec3::new(lane, lane.apart(self.velocities, b, c));
             // c to a: minus their sum.
             at_a = (ab + bc).mul_add(c_ca, ab.mul_add(c_ab, at_a));
             at_b = bc.mul_add(c_bc, ab.sub_mul(c_ab, at_b));
@@ -94,15 +107,13 @@ impl<R: Real> Input<'_, R> {
         let over_area = inverse(doubled_area);
         if !self.sheet.angles.is_empty() {
             let [cos_a, sin_a, cos_b, sin_b] = fields(lane, &self.sheet.angles, chunk);
-            // A corner's cosine and sine, turned back by its angle at rest.
-            let deviation = |cos: Num<L>, sin: Num<L>, dot: Num<L>| {
-                small_angle_of(doubled_area.mul_sub(cos, dot * sin), dot.mul_add(cos, doubled_area * sin))
-            };
-            let (one, two) = (deviation(cos_a, sin_a, dots[0]), deviation(cos_b, sin_b, dots[1]));
+            let one = deviation(cos_a, sin_a, doubled_area, dots[0]);
+            let two = deviation(cos_b, sin_b, doubled_area, dots[1]);
             let three = -(one + two);
             let stiff = over_area * Num::splat(lane, self.sheet.k_face);
-            let pull = |i: usize, excess: Num<L>| stiff * excess * (over_lengths[i] * over_lengths[i]);
-            let (on_ab, on_bc, on_ca) = (pull(0, two - one), pull(1, three - two), pull(2, one - three));
+            let on_ab = stiff * (two - one) * (over_ab * over_ab);
+            let on_bc = stiff * (three - two) * (over_bc * over_bc);
+            let on_ca = stiff * (one - three) * (over_ca * over_ca);
             at_a = at_a + normal.cross(ca.sub_mul(on_ca, ab * on_ab));
             at_b = at_b + normal.cross(ab.sub_mul(on_ab, bc * on_bc));
         }
@@ -110,11 +121,11 @@ impl<R: Real> Input<'_, R> {
         if !self.sheet.creases.is_empty() {
             let own = &self.sheet.creases[chunk * 3 * L::WIDTH..][..3 * L::WIDTH];
             let over_square = over_area * over_area;
-            let g = |i: usize| {
-                let moment = Num { lane, raw: lane.pick(self.moments, &own[i * L::WIDTH..][..L::WIDTH]) };
-                moment * over_lengths[i] * over_square
-            };
-            let [g_ab, g_bc, g_ca] = [g(0), g(1), g(2)];
+            let (on_ab, others) = own.split_at(L::WIDTH);
+            let (on_bc, on_ca) = others.split_at(L::WIDTH);
+            let g_ab = Num { lane, raw: lane.pick(self.moments, on_ab) } * over_ab * over_square;
+            let g_bc = Num { lane, raw: lane.pick(self.moments, on_bc) } * over_bc * over_square;
+            let g_ca = Num { lane, raw: lane.pick(self.moments, on_ca) } * over_ca * over_square;
             let across_a = g_ca.sub_mul(dots[2], g_ab.sub_mul(dots[1], g_bc * squares[1]));
             let across_b = g_bc.sub_mul(dots[2], g_ab.sub_mul(dots[0], g_ca * squares[2]));
             at_a = normal.mul_add(across_a, at_a);

@@ -34,14 +34,14 @@ impl<R: Real> Pass<R> for Moves<'_, R> {
     #[inline(always)]
     fn run<L: Mesh<Real = R>>(self, lane: L) -> bool {
         let mut watch = Watch::new(lane, self.bounds);
-        let number = |x| Num::splat(lane.node(), x);
+        let node = lane.node();
         let Decision { step, keep, towards_force, back } = self.decision;
-        let (step, keep, back) = (number(step), number(keep), number(back));
+        let (step, keep, back) = (Num::splat(node, step), Num::splat(node, keep), Num::splat(node, back));
         let nodes = self.places.iter_mut().zip(self.velocities).zip(self.forces).zip(self.masses);
         for (((place, velocity), force), [_, inverse]) in nodes {
-            let load = |quad| Num { lane: lane.node(), raw: lane.load_node(quad) };
-            let old = load(*velocity);
-            let new = load(*force).mul_add(number(towards_force * inverse), old * keep);
+            let old = Num { lane: node, raw: lane.load_node(*velocity) };
+            let force = Num { lane: node, raw: lane.load_node(*force) };
+            let new = force.mul_add(Num::splat(node, towards_force * inverse), old * keep);
             *velocity = lane.store_node(new.raw);
             let way = new * step;
             watch.see(moved(lane, place, old.mul_add(back, way)), way);

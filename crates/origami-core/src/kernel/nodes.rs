@@ -57,14 +57,16 @@ impl<R: Real> Pass<R> for Verlet<'_, R> {
     #[inline(always)]
     fn run<L: Mesh<Real = R>>(self, lane: L) -> bool {
         let mut watch = Watch::new(lane, self.bounds);
-        let number = |x| Num::splat(lane.node(), x);
-        let (time_step, half) = (number(self.time_step), number(0.5 * self.time_step));
-        let half_previous = number(0.5 * self.previous_step);
+        let node = lane.node();
+        let time_step = Num::splat(node, self.time_step);
+        let half = Num::splat(node, 0.5 * self.time_step);
+        let half_previous = Num::splat(node, 0.5 * self.previous_step);
         let nodes = rows(&self.sheet.rows, &self.sheet.slots).zip(self.places).zip(self.velocities);
         for (((slots, place), velocity), acceleration) in nodes.zip(self.accelerations) {
             let force = gathered(lane, slots, self.forces);
-            let load = |quad| Num { lane: lane.node(), raw: lane.load_node(quad) };
-            let arrived = (force - load(*acceleration)).mul_add(half_previous, load(*velocity));
+            let before = Num { lane: node, raw: lane.load_node(*acceleration) };
+            let old = Num { lane: node, raw: lane.load_node(*velocity) };
+            let arrived = (force - before).mul_add(half_previous, old);
             let midway = force.mul_add(half, arrived);
             *velocity = lane.store_node(force.mul_add(half, midway).raw);
             *acceleration = lane.store_node(force.raw);

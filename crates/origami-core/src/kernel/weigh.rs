@@ -43,8 +43,8 @@ impl<R: Real> Pass<R> for Weigh<'_, R> {
             for (((slots, velocity), [mass, inverse]), kept) in nodes {
                 let force = gathered(lane, slots, self.forces);
                 *kept = lane.store_node(force.raw);
-                let wide = |raw| Num { lane: lane.place(), raw: lane.widen(raw) };
-                let (force, velocity) = (wide(force.raw), wide(lane.load_node(*velocity)));
+                let force = Num { lane: lane.place(), raw: lane.widen(force.raw) };
+                let velocity = Num { lane: lane.place(), raw: lane.widen(lane.load_node(*velocity)) };
                 power = force.mul_add(velocity, power);
                 speed = (velocity * velocity).mul_add(Num::splat(lane.place(), *mass), speed);
                 pull = (force * force).mul_add(Num::splat(lane.place(), *inverse), pull);

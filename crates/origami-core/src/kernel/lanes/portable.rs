@@ -1,7 +1,5 @@
 //! Four numbers in an array: right everywhere, and as fast as the compiler makes it.
 
-use std::array::from_fn;
-
 use super::super::lane::{Lane, Mesh};
 use super::super::real::{Quad64, Real};
 
@@ -37,68 +35,68 @@ macro_rules! portable {
 
             #[inline(always)]
             fn add(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
-                from_fn(|i| a[i] + b[i])
+                [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]]
             }
 
             #[inline(always)]
             fn sub(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
-                from_fn(|i| a[i] - b[i])
+                [a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]]
             }
 
             #[inline(always)]
             fn mul(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
-                from_fn(|i| a[i] * b[i])
+                [a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]]
             }
 
             #[inline(always)]
             fn div(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
-                from_fn(|i| a[i] / b[i])
+                [a[0] / b[0], a[1] / b[1], a[2] / b[2], a[3] / b[3]]
             }
 
             #[inline(always)]
             fn mul_add(self, a: [$real; 4], b: [$real; 4], c: [$real; 4]) -> [$real; 4] {
-                from_fn(|i| if FUSED { a[i].mul_add(b[i], c[i]) } else { a[i] * b[i] + c[i] })
+                [if FUSED { a[0].mul_add(b[0], c[0]) } else { a[0] * b[0] + c[0] }, if FUSED { a[1].mul_add(b[1], c[1]) } else { a[1] * b[1] + c[1] }, if FUSED { a[2].mul_add(b[2], c[2]) } else { a[2] * b[2] + c[2] }, if FUSED { a[3].mul_add(b[3], c[3]) } else { a[3] * b[3] + c[3] }]
             }
 
             #[inline(always)]
             fn mul_sub(self, a: [$real; 4], b: [$real; 4], c: [$real; 4]) -> [$real; 4] {
-                from_fn(|i| if FUSED { a[i].mul_add(b[i], -c[i]) } else { a[i] * b[i] - c[i] })
+                [if FUSED { a[0].mul_add(b[0], -c[0]) } else { a[0] * b[0] - c[0] }, if FUSED { a[1].mul_add(b[1], -c[1]) } else { a[1] * b[1] - c[1] }, if FUSED { a[2].mul_add(b[2], -c[2]) } else { a[2] * b[2] - c[2] }, if FUSED { a[3].mul_add(b[3], -c[3]) } else { a[3] * b[3] - c[3] }]
             }
 
             #[inline(always)]
             fn sub_mul(self, a: [$real; 4], b: [$real; 4], c: [$real; 4]) -> [$real; 4] {
-                from_fn(|i| if FUSED { (-a[i]).mul_add(b[i], c[i]) } else { c[i] - a[i] * b[i] })
+                [if FUSED { (-a[0]).mul_add(b[0], c[0]) } else { c[0] - a[0] * b[0] }, if FUSED { (-a[1]).mul_add(b[1], c[1]) } else { c[1] - a[1] * b[1] }, if FUSED { (-a[2]).mul_add(b[2], c[2]) } else { c[2] - a[2] * b[2] }, if FUSED { (-a[3]).mul_add(b[3], c[3]) } else { c[3] - a[3] * b[3] }]
             }
 
             #[inline(always)]
             fn max(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
                 // As x86 has it: the second where they cannot be compared.
-                from_fn(|i| if a[i] > b[i] { a[i] } else { b[i] })
+                [if a[0] > b[0] { a[0] } else { b[0] }, if a[1] > b[1] { a[1] } else { b[1] }, if a[2] > b[2] { a[2] } else { b[2] }, if a[3] > b[3] { a[3] } else { b[3] }]
             }
 
             #[inline(always)]
             fn min(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
-                from_fn(|i| if a[i] < b[i] { a[i] } else { b[i] })
+                [if a[0] < b[0] { a[0] } else { b[0] }, if a[1] < b[1] { a[1] } else { b[1] }, if a[2] < b[2] { a[2] } else { b[2] }, if a[3] < b[3] { a[3] } else { b[3] }]
             }
 
             #[inline(always)]
             fn sqrt(self, a: [$real; 4]) -> [$real; 4] {
-                a.map(<$real>::sqrt)
+                [a[0].sqrt(), a[1].sqrt(), a[2].sqrt(), a[3].sqrt()]
             }
 
             #[inline(always)]
             fn abs(self, a: [$real; 4]) -> [$real; 4] {
-                a.map(<$real>::abs)
+                [a[0].abs(), a[1].abs(), a[2].abs(), a[3].abs()]
             }
 
             #[inline(always)]
             fn less(self, a: [$real; 4], b: [$real; 4]) -> [bool; 4] {
-                from_fn(|i| a[i] < b[i])
+                [a[0] < b[0], a[1] < b[1], a[2] < b[2], a[3] < b[3]]
             }
 
             #[inline(always)]
             fn and(self, a: [bool; 4], b: [bool; 4]) -> [bool; 4] {
-                from_fn(|i| a[i] & b[i])
+                [a[0] & b[0], a[1] & b[1], a[2] & b[2], a[3] & b[3]]
             }
 
             #[inline(always)]
@@ -108,7 +106,7 @@ macro_rules! portable {
 
             #[inline(always)]
             fn select(self, mask: [bool; 4], yes: [$real; 4], no: [$real; 4]) -> [$real; 4] {
-                from_fn(|i| if mask[i] { yes[i] } else { no[i] })
+                [if mask[0] { yes[0] } else { no[0] }, if mask[1] { yes[1] } else { no[1] }, if mask[2] { yes[2] } else { no[2] }, if mask[3] { yes[3] } else { no[3] }]
             }
         }
 
@@ -148,14 +146,14 @@ macro_rules! portable {
 
             #[inline(always)]
             fn widen(self, raw: [$real; 4]) -> [f64; 4] {
-                raw.map(<$real>::to_f64)
+                [raw[0].to_f64(), raw[1].to_f64(), raw[2].to_f64(), raw[3].to_f64()]
             }
 
             #[inline(always)]
             fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [[$real; 4]; 3] {
                 let mut ways = [[0.0; 4]; 3];
                 for i in 0..4 {
-                    let [from, to] = [from[i], to[i]].map(|n| places[n as usize].0);
+                    let (from, to) = (places[from[i] as usize].0, places[to[i] as usize].0);
                     for c in 0..3 {
                         ways[c][i] = <$real>::of(to[c] - from[c]);
                     }
@@ -167,7 +165,7 @@ macro_rules! portable {
             fn apart(self, vectors: &[<$real as Real>::Quad], from: &[u32], to: &[u32]) -> [[$real; 4]; 3] {
                 let mut ways = [[0.0; 4]; 3];
                 for i in 0..4 {
-                    let [from, to] = [from[i], to[i]].map(|n| vectors[n as usize].0);
+                    let (from, to) = (vectors[from[i] as usize].0, vectors[to[i] as usize].0);
                     for c in 0..3 {
                         ways[c][i] = to[c] - from[c];
                     }
@@ -177,7 +175,7 @@ macro_rules! portable {
 
             #[inline(always)]
             fn pick(self, values: &[$real], at: &[u32]) -> [$real; 4] {
-                from_fn(|i| values[at[i] as usize])
+                [values[at[0] as usize], values[at[1] as usize], values[at[2] as usize], values[at[3] as usize]]
             }
 
             #[inline(always)]

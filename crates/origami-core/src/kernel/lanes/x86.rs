@@ -1,5 +1,6 @@
 //! Lanes of AVX2 with FMA, and of AVX-512. The intrinsics are pulp's, which are safe: its tokens can only be had where the
-//! processor has the instructions.
+//! processor has the instructions. No closures here, nor in the passes: the compiler may leave one outside of the functions
+//! that are compiled for these instructions, and calls then cost more than what they do.
 
 use std::arch::x86_64::{__m128, __m256, __m256d, __m512, __m512d, _CMP_LT_OQ};
 
@@ -222,17 +223,14 @@ fn columns_d4(v: V3, [a, b, c, d]: [__m256d; 4]) -> [__m256d; 3] {
 
 /// Three columns and one of zeros to four rows.
 #[inline(always)]
-fn rows_d4(v: V3, [x, y, z]: [__m256d; 3]) -> [Quad64; 4] {
+fn rows_d4(v: V3, [x, y, z]: [__m256d; 3], to: &mut [Quad64; 4]) {
     let zero = v.avx._mm256_setzero_pd();
     let (xy_02, xy_13) = (v.avx._mm256_unpacklo_pd(x, y), v.avx._mm256_unpackhi_pd(x, y));
     let (zw_02, zw_13) = (v.avx._mm256_unpacklo_pd(z, zero), v.avx._mm256_unpackhi_pd(z, zero));
-    [
-        v.avx._mm256_permute2f128_pd::<0x20>(xy_02, zw_02),
-        v.avx._mm256_permute2f128_pd::<0x20>(xy_13, zw_13),
-        v.avx._mm256_permute2f128_pd::<0x31>(xy_02, zw_02),
-        v.avx._mm256_permute2f128_pd::<0x31>(xy_13, zw_13),
-    ]
-    .map(|row| Quad64(cast(row)))
+    to[0] = Quad64(cast(v.avx._mm256_permute2f128_pd::<0x20>(xy_02, zw_02)));
+    to[1] = Quad64(cast(v.avx._mm256_permute2f128_pd::<0x20>(xy_13, zw_13)));
+    to[2] = Quad64(cast(v.avx._mm256_permute2f128_pd::<0x31>(xy_02, zw_02)));
+    to[3] = Quad64(cast(v.avx._mm256_permute2f128_pd::<0x31>(xy_13, zw_13)));
 }
 
 /// Eight rows of four numbers, of which the last is not wanted, to three columns. Each of `pairs` holds rows i and i + 4.
@@ -249,62 +247,80 @@ fn columns_s8(v: V3, [a, b, c, d]: [__m256; 4]) -> [__m256; 3] {
 
 /// Three columns and one of zeros to eight rows.
 #[inline(always)]
-fn rows_s8(v: V3, [x, y, z]: [__m256; 3]) -> [Quad32; 8] {
+fn rows_s8(v: V3, [x, y, z]: [__m256; 3], to: &mut [Quad32; 8]) {
     let zero = v.avx._mm256_setzero_ps();
     let (xy_01, xy_23) = (v.avx._mm256_unpacklo_ps(x, y), v.avx._mm256_unpackhi_ps(x, y));
     let (zw_01, zw_23) = (v.avx._mm256_unpacklo_ps(z, zero), v.avx._mm256_unpackhi_ps(z, zero));
-    let pairs = [
-        v.avx._mm256_shuffle_ps::<0x44>(xy_01, zw_01),
-        v.avx._mm256_shuffle_ps::<0xee>(xy_01, zw_01),
-        v.avx._mm256_shuffle_ps::<0x44>(xy_23, zw_23),
-        v.avx._mm256_shuffle_ps::<0xee>(xy_23, zw_23),
-    ];
-    let [a, b, c, d] = pairs.map(|pair| Quad32(cast(v.avx._mm256_castps256_ps128(pair))));
-    let [e, f, g, h] = pairs.map(|pair| Quad32(cast(v.avx._mm256_extractf128_ps::<1>(pair))));
-    [a, b, c, d, e, f, g, h]
+    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0x44>(xy_01, zw_01), 0, to);
+    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0xee>(xy_01, zw_01), 1, to);
+    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0x44>(xy_23, zw_23), 2, to);
+    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0xee>(xy_23, zw_23), 3, to);
+}
+
+/// Rows i and i + 4.
+#[inline(always)]
+fn rows_of_pair(v: V3, pair: __m256, i: usize, to: &mut [Quad32; 8]) {
+    to[i] = Quad32(cast(v.avx._mm256_castps256_ps128(pair)));
+    to[i + 4] = Quad32(cast(v.avx._mm256_extractf128_ps::<1>(pair)));
+}
+
+/// The way between two nodes.
+#[inline(always)]
+fn way_d4(v: V3, vectors: &[Quad64], from: u32, to: u32) -> __m256d {
+    v.avx._mm256_sub_pd(cast(vectors[to as usize].0), cast(vectors[from as usize].0))
 }
 
 /// The ways between four pairs of nodes.
 #[inline(always)]
 fn between_d4(v: V3, vectors: &[Quad64], from: &[u32; 4], to: &[u32; 4]) -> [__m256d; 3] {
-    let way = |i: usize| {
-        let [from, to] = [from[i], to[i]].map(|n| cast(vectors[n as usize].0));
-        v.avx._mm256_sub_pd(to, from)
-    };
-    columns_d4(v, [way(0), way(1), way(2), way(3)])
+    let (a, b) = (way_d4(v, vectors, from[0], to[0]), way_d4(v, vectors, from[1], to[1]));
+    let (c, d) = (way_d4(v, vectors, from[2], to[2]), way_d4(v, vectors, from[3], to[3]));
+    columns_d4(v, [a, b, c, d])
+}
+
+/// The ways between pairs i and i + 4 of nodes, in f32.
+#[inline(always)]
+fn ways_s8(v: V3, places: &[Quad64], from: &[u32; 8], to: &[u32; 8], i: usize) -> __m256 {
+    let low = v.avx._mm256_cvtpd_ps(way_d4(v, places, from[i], to[i]));
+    let high = v.avx._mm256_cvtpd_ps(way_d4(v, places, from[i + 4], to[i + 4]));
+    v.avx._mm256_set_m128(high, low)
 }
 
 /// The ways between eight pairs of nodes, in f32.
 #[inline(always)]
 fn between_s8(v: V3, places: &[Quad64], from: &[u32; 8], to: &[u32; 8]) -> [__m256; 3] {
-    let way = |i: usize| {
-        let [from, to] = [from[i], to[i]].map(|n| cast(places[n as usize].0));
-        v.avx._mm256_cvtpd_ps(v.avx._mm256_sub_pd(to, from))
-    };
-    let pair = |i: usize| v.avx._mm256_set_m128(way(i + 4), way(i));
-    columns_s8(v, [pair(0), pair(1), pair(2), pair(3)])
+    let (a, b) = (ways_s8(v, places, from, to, 0), ways_s8(v, places, from, to, 1));
+    let (c, d) = (ways_s8(v, places, from, to, 2), ways_s8(v, places, from, to, 3));
+    columns_s8(v, [a, b, c, d])
+}
+
+/// Vectors i and i + 4.
+#[inline(always)]
+fn pair_s8(v: V3, vectors: &[Quad32], nodes: &[u32; 8], i: usize) -> __m256 {
+    v.avx._mm256_set_m128(cast(vectors[nodes[i + 4] as usize].0), cast(vectors[nodes[i] as usize].0))
 }
 
 /// The differences between eight pairs of vectors.
 #[inline(always)]
 fn apart_s8(v: V3, vectors: &[Quad32], from: &[u32; 8], to: &[u32; 8]) -> [__m256; 3] {
-    let pair = |nodes: &[u32; 8], i: usize| {
-        let [low, high] = [nodes[i], nodes[i + 4]].map(|n| cast(vectors[n as usize].0));
-        v.avx._mm256_set_m128(high, low)
-    };
-    let way = |i: usize| v.avx._mm256_sub_ps(pair(to, i), pair(from, i));
-    columns_s8(v, [way(0), way(1), way(2), way(3)])
+    let a = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 0), pair_s8(v, vectors, from, 0));
+    let b = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 1), pair_s8(v, vectors, from, 1));
+    let c = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 2), pair_s8(v, vectors, from, 2));
+    let d = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 3), pair_s8(v, vectors, from, 3));
+    columns_s8(v, [a, b, c, d])
 }
 
 #[inline(always)]
-fn pick_d4(v: V3, values: &[f64], [a, b, c, d]: &[u32; 4]) -> __m256d {
-    let [a, b, c, d] = [a, b, c, d].map(|i| values[*i as usize]);
-    v.avx._mm256_set_pd(d, c, b, a)
+fn pick_d4(v: V3, values: &[f64], at: &[u32; 4]) -> __m256d {
+    let [a, b, c, d] = *at;
+    v.avx._mm256_set_pd(values[d as usize], values[c as usize], values[b as usize], values[a as usize])
 }
 
 #[inline(always)]
 fn pick_s8(v: V3, values: &[f32], at: &[u32; 8]) -> __m256 {
-    let [a, b, c, d, e, f, g, h] = at.map(|i| values[i as usize]);
+    let [a, b, c, d, e, f, g, h] = *at;
+    let (a, b, c, d) = (values[a as usize], values[b as usize], values[c as usize], values[d as usize]);
+    let (e, f, g, h) = (values[e as usize], values[f as usize], values[g as usize], values[h as usize]);
     v.avx._mm256_set_ps(h, g, f, e, d, c, b, a)
 }
 
@@ -312,6 +328,11 @@ fn pick_s8(v: V3, values: &[f32], at: &[u32; 8]) -> __m256 {
 #[inline(always)]
 fn first<const N: usize, T>(list: &[T]) -> &[T; N] {
     list.first_chunk().expect("as many as there are lanes")
+}
+
+#[inline(always)]
+fn first_mut<const N: usize, T>(list: &mut [T]) -> &mut [T; N] {
+    list.first_chunk_mut().expect("as many as there are lanes")
 }
 
 /// The two halves of a list of places.
@@ -322,12 +343,36 @@ fn halves<const N: usize, T>(list: &[T]) -> [&[T; N]; 2] {
 
 impl D8 {
     #[inline(always)]
+    fn low(self, [x, y, z]: [__m512d; 3]) -> [__m256d; 3] {
+        let v = self.0;
+        [v.avx512f._mm512_castpd512_pd256(x), v.avx512f._mm512_castpd512_pd256(y), v.avx512f._mm512_castpd512_pd256(z)]
+    }
+
+    #[inline(always)]
+    fn high(self, [x, y, z]: [__m512d; 3]) -> [__m256d; 3] {
+        let v = self.0;
+        [v.avx512f._mm512_extractf64x4_pd::<1>(x), v.avx512f._mm512_extractf64x4_pd::<1>(y), v.avx512f._mm512_extractf64x4_pd::<1>(z)]
+    }
+
+    #[inline(always)]
     fn join(self, low: __m256d, high: __m256d) -> __m512d {
         self.0.avx512f._mm512_insertf64x4::<1>(self.0.avx512f._mm512_castpd256_pd512(low), high)
     }
 }
 
 impl S16 {
+    #[inline(always)]
+    fn low(self, [x, y, z]: [__m512; 3]) -> [__m256; 3] {
+        let v = self.0;
+        [v.avx512f._mm512_castps512_ps256(x), v.avx512f._mm512_castps512_ps256(y), v.avx512f._mm512_castps512_ps256(z)]
+    }
+
+    #[inline(always)]
+    fn high(self, [x, y, z]: [__m512; 3]) -> [__m256; 3] {
+        let v = self.0;
+        [v.avx512dq._mm512_extractf32x8_ps::<1>(x), v.avx512dq._mm512_extractf32x8_ps::<1>(y), v.avx512dq._mm512_extractf32x8_ps::<1>(z)]
+    }
+
     #[inline(always)]
     fn join(self, low: __m256, high: __m256) -> __m512 {
         self.0.avx512dq._mm512_insertf32x8::<1>(self.0.avx512f._mm512_castps256_ps512(low), high)
@@ -390,7 +435,7 @@ impl Mesh for D4 {
 
     #[inline(always)]
     fn spread(self, vectors: [__m256d; 3], to: &mut [Quad64]) {
-        to[..4].copy_from_slice(&rows_d4(self.0, vectors));
+        rows_d4(self.0, vectors, first_mut(to));
     }
 }
 
@@ -450,7 +495,7 @@ impl Mesh for S8 {
 
     #[inline(always)]
     fn spread(self, vectors: [__m256; 3], to: &mut [Quad32]) {
-        to[..8].copy_from_slice(&rows_s8(self.0, vectors));
+        rows_s8(self.0, vectors, first_mut(to));
     }
 }
 
@@ -497,7 +542,7 @@ impl Mesh for D8 {
     fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [__m512d; 3] {
         let ([from, from_high], [to, to_high]) = (halves(from), halves(to));
         let (low, high) = (between_d4(*self.0, places, from, to), between_d4(*self.0, places, from_high, to_high));
-        std::array::from_fn(|i| self.join(low[i], high[i]))
+        [self.join(low[0], high[0]), self.join(low[1], high[1]), self.join(low[2], high[2])]
     }
 
     #[inline(always)]
@@ -507,16 +552,15 @@ impl Mesh for D8 {
 
     #[inline(always)]
     fn pick(self, values: &[f64], at: &[u32]) -> __m512d {
-        let [low, high] = halves(at).map(|at| pick_d4(*self.0, values, at));
-        self.join(low, high)
+        let [low, high] = halves(at);
+        self.join(pick_d4(*self.0, values, low), pick_d4(*self.0, values, high))
     }
 
     #[inline(always)]
     fn spread(self, vectors: [__m512d; 3], to: &mut [Quad64]) {
-        let low = vectors.map(|x| self.0.avx512f._mm512_castpd512_pd256(x));
-        let high = vectors.map(|x| self.0.avx512f._mm512_extractf64x4_pd::<1>(x));
-        to[..4].copy_from_slice(&rows_d4(*self.0, low));
-        to[4..8].copy_from_slice(&rows_d4(*self.0, high));
+        let (low, high) = to.split_at_mut(4);
+        rows_d4(*self.0, self.low(vectors), first_mut(low));
+        rows_d4(*self.0, self.high(vectors), first_mut(high));
     }
 }
 
@@ -563,27 +607,26 @@ impl Mesh for S16 {
     fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [__m512; 3] {
         let ([from, from_high], [to, to_high]) = (halves(from), halves(to));
         let (low, high) = (between_s8(*self.0, places, from, to), between_s8(*self.0, places, from_high, to_high));
-        std::array::from_fn(|i| self.join(low[i], high[i]))
+        [self.join(low[0], high[0]), self.join(low[1], high[1]), self.join(low[2], high[2])]
     }
 
     #[inline(always)]
     fn apart(self, vectors: &[Quad32], from: &[u32], to: &[u32]) -> [__m512; 3] {
         let ([from, from_high], [to, to_high]) = (halves(from), halves(to));
         let (low, high) = (apart_s8(*self.0, vectors, from, to), apart_s8(*self.0, vectors, from_high, to_high));
-        std::array::from_fn(|i| self.join(low[i], high[i]))
+        [self.join(low[0], high[0]), self.join(low[1], high[1]), self.join(low[2], high[2])]
     }
 
     #[inline(always)]
     fn pick(self, values: &[f32], at: &[u32]) -> __m512 {
-        let [low, high] = halves(at).map(|at| pick_s8(*self.0, values, at));
-        self.join(low, high)
+        let [low, high] = halves(at);
+        self.join(pick_s8(*self.0, values, low), pick_s8(*self.0, values, high))
     }
 
     #[inline(always)]
     fn spread(self, vectors: [__m512; 3], to: &mut [Quad32]) {
-        let low = vectors.map(|x| self.0.avx512f._mm512_castps512_ps256(x));
-        let high = vectors.map(|x| self.0.avx512dq._mm512_extractf32x8_ps::<1>(x));
-        to[..8].copy_from_slice(&rows_s8(*self.0, low));
-        to[8..16].copy_from_slice(&rows_s8(*self.0, high));
+        let (low, high) = to.split_at_mut(8);
+        rows_s8(*self.0, self.low(vectors), first_mut(low));
+        rows_s8(*self.0, self.high(vectors), first_mut(high));
     }
 }

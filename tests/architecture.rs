@@ -9,7 +9,7 @@ const GPU: &str = "crates/origami-gpu/src";
 const SHADERS: &str = "shaders/src";
 
 /// Each module of the core, and those that it may use.
-const MAY_USE: [(&str, &[&str]); 11] = [
+const MAY_USE: [(&str, &[&str]); 12] = [
     ("error", &[]),
     ("ids", &[]),
     ("fold", &["error"]),
@@ -18,7 +18,8 @@ const MAY_USE: [(&str, &[&str]); 11] = [
     ("mesh", &["error", "ids", "pattern"]),
     ("model", &["error", "ids", "mesh", "pattern"]),
     ("forces", &["ids", "model"]),
-    ("solve", &["error", "forces", "ids", "model"]),
+    ("kernel", &["forces", "ids", "model"]),
+    ("solve", &["error", "forces", "ids", "kernel", "model"]),
     ("measure", &["forces", "mesh", "model", "pattern", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "solve"]),
 ];

@@ -26,12 +26,7 @@ impl<L: Mesh> Watch<L> {
         let farthest = Num::splat(lane.place(), share * bounds.farthest);
         let longest_move = Num::splat(lane.node(), share * bounds.longest_move);
         let (no_place, no_move) = (Num::splat(lane.place(), 0.0), Num::splat(lane.node(), 0.0));
-        Self {
-            farthest,
-            longest_move,
-            places_hold: no_place.less(farthest),
-            moves_hold: no_move.less(longest_move),
-        }
+        Self { farthest, longest_move, places_hold: no_place.less(farthest), moves_hold: no_move.less(longest_move) }
     }
 
     /// Sees a node that moved by `moved` and is now at `place`. What is not a number does not hold.
@@ -50,13 +45,9 @@ impl<L: Mesh> Watch<L> {
 
 /// Moves a node.
 #[inline(always)]
-pub(super) fn moved<L: Mesh>(
-    lane: L,
-    place: &mut Quad64,
-    way: Num<L::Node>,
-) -> Num<L::Place> {
-    let new = Num { lane: lane.place(), raw: lane.load_place(*place) }
-        + Num { lane: lane.place(), raw: lane.widen(way.raw) };
+pub(super) fn moved<L: Mesh>(lane: L, place: &mut Quad64, way: Num<L::Node>) -> Num<L::Place> {
+    let new =
+        Num { lane: lane.place(), raw: lane.load_place(*place) } + Num { lane: lane.place(), raw: lane.widen(way.raw) };
     *place = lane.store_place(new.raw);
     new
 }

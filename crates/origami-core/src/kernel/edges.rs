@@ -59,9 +59,7 @@ fn edge<L: Mesh>(
     let limit = Num::splat(lane, DEGENERATE * DEGENERATE);
     let least = limit * squared;
     // It keeps its angle and pulls at nothing until it opens again.
-    let sound = limit.less(squared)
-        & least.less(normal_one.dot(normal_one))
-        & least.less(normal_two.dot(normal_two));
+    let sound = limit.less(squared) & least.less(normal_one.dot(normal_one)) & least.less(normal_two.dot(normal_two));
     let (y, x) = (squared.sqrt() * normal_two.dot(to_one), normal_one.dot(normal_two));
     let angle = sound.select(unwrapped(angle_of(y, x), previous), previous);
     (angle, sound.select(stiffness * (target - angle), Num::splat(lane, 0.0)))

@@ -62,7 +62,13 @@ pub(crate) struct Kernel<R: Compute> {
 
 impl<R: Compute> Kernel<R> {
     /// `model` with its nodes at `positions`, moving at `velocities`, its creases at `angles`.
-    pub(crate) fn new(model: &Model, bounds: Bounds, positions: &[DVec3], velocities: &[DVec3], angles: &[f64]) -> Self {
+    pub(crate) fn new(
+        model: &Model,
+        bounds: Bounds,
+        positions: &[DVec3],
+        velocities: &[DVec3],
+        angles: &[f64],
+    ) -> Self {
         Self::with(Isa::best(), model, bounds, positions, velocities, angles)
     }
 
@@ -114,7 +120,11 @@ impl<R: Compute> Kernel<R> {
     /// Second pass: forces of all springs, and of the damping if `damped`.
     pub(crate) fn faces(&mut self, damped: bool) {
         let Self { sheet, places, moments, .. } = self;
-        let velocities = if damped && (!sheet.damping.is_empty() || !sheet.loose_ends.is_empty()) { &self.velocities[..] } else { &[] };
+        let velocities = if damped && (!sheet.damping.is_empty() || !sheet.loose_ends.is_empty()) {
+            &self.velocities[..]
+        } else {
+            &[]
+        };
         let (slots, loose) = self.slots.split_at_mut(sheet.corners.len());
         R::run(self.isa, Faces { sheet, places, velocities, moments, slots });
         if !loose.is_empty() {

@@ -11,8 +11,6 @@ use super::real::{Quad64, Real};
 /// Elements are filled up to whole chunks with ones on nodes of their own, which form a sound hinge and pull at nothing.
 #[derive(Clone, Debug)]
 pub(super) struct Sheet<R> {
-    /// Elements in a chunk.
-    pub(super) width: usize,
     pub(super) nodes: usize,
     /// By chunk of creases: apexes one and two, ends one and two.
     pub(super) hinges: Vec<u32>,
@@ -40,8 +38,7 @@ pub(super) struct Sheet<R> {
 }
 
 /// A hinge and its nodes: ends, then apexes.
-const DUMMY: [[f64; 4]; 4] =
-    [[0.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 0.0]];
+const DUMMY: [[f64; 4]; 4] = [[0.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 0.0]];
 
 /// One triangle before it is laid out.
 #[derive(Clone, Copy)]
@@ -84,12 +81,15 @@ impl<R: Real> Sheet<R> {
         let of_faces = |fields: &dyn Fn(&Face) -> Vec<f64>| real(chunks(&faces, no_face, width, fields));
         let no_loose = ([dummy(0), dummy(1)], [1.0, 0.0, 0.0]);
         Self {
-            width,
             nodes,
             hinges: chunks(&hinges, no_hinge, width, &|nodes: &[u32; 4]| nodes.to_vec()),
             stiffness,
             corners: chunks(&faces, no_face, width, &|face: &Face| face.corners.to_vec()),
-            creases: if creases > 0 { chunks(&faces, no_face, width, &|face: &Face| face.creases.to_vec()) } else { Vec::new() },
+            creases: if creases > 0 {
+                chunks(&faces, no_face, width, &|face: &Face| face.creases.to_vec())
+            } else {
+                Vec::new()
+            },
             beams: of_faces(&|face| [face.rest_lengths, face.stiffness].concat()),
             damping: if damped { of_faces(&|face| face.damping.to_vec()) } else { Vec::new() },
             angles: if has_corners { of_faces(&|face| face.angles.to_vec()) } else { Vec::new() },

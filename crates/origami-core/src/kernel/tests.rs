@@ -55,8 +55,7 @@ impl Scene {
     }
 
     fn kernel<R: Compute>(&self, isa: Isa) -> Kernel<R> {
-        let mut kernel =
-            Kernel::<R>::with(isa, &self.model, BOUNDS, &self.positions, &self.velocities, &self.angles);
+        let mut kernel = Kernel::<R>::with(isa, &self.model, BOUNDS, &self.positions, &self.velocities, &self.angles);
         kernel.aim(&self.targets);
         kernel
     }

@@ -8,9 +8,9 @@ mod ensemble;
 mod failed;
 pub mod fire;
 pub mod guard;
+mod motion;
 #[cfg(feature = "newton")]
 pub mod newton;
-mod motion;
 mod path;
 mod perturb;
 mod precision;
@@ -29,8 +29,8 @@ pub use failed::Failed;
 pub use guard::{Diverged, Quantity};
 #[cfg(feature = "newton")]
 pub use newton::Newton;
-pub use precision::Precision;
 pub use path::{PathFailed, fold_path, frame_percents};
+pub use precision::Precision;
 pub use relax::{Relax, default_ramp};
 pub use session::Session;
 pub use state::State;

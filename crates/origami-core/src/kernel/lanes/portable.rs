@@ -55,28 +55,53 @@ macro_rules! portable {
 
             #[inline(always)]
             fn mul_add(self, a: [$real; 4], b: [$real; 4], c: [$real; 4]) -> [$real; 4] {
-                [if FUSED { a[0].mul_add(b[0], c[0]) } else { a[0] * b[0] + c[0] }, if FUSED { a[1].mul_add(b[1], c[1]) } else { a[1] * b[1] + c[1] }, if FUSED { a[2].mul_add(b[2], c[2]) } else { a[2] * b[2] + c[2] }, if FUSED { a[3].mul_add(b[3], c[3]) } else { a[3] * b[3] + c[3] }]
+                [
+                    if FUSED { a[0].mul_add(b[0], c[0]) } else { a[0] * b[0] + c[0] },
+                    if FUSED { a[1].mul_add(b[1], c[1]) } else { a[1] * b[1] + c[1] },
+                    if FUSED { a[2].mul_add(b[2], c[2]) } else { a[2] * b[2] + c[2] },
+                    if FUSED { a[3].mul_add(b[3], c[3]) } else { a[3] * b[3] + c[3] },
+                ]
             }
 
             #[inline(always)]
             fn mul_sub(self, a: [$real; 4], b: [$real; 4], c: [$real; 4]) -> [$real; 4] {
-                [if FUSED { a[0].mul_add(b[0], -c[0]) } else { a[0] * b[0] - c[0] }, if FUSED { a[1].mul_add(b[1], -c[1]) } else { a[1] * b[1] - c[1] }, if FUSED { a[2].mul_add(b[2], -c[2]) } else { a[2] * b[2] - c[2] }, if FUSED { a[3].mul_add(b[3], -c[3]) } else { a[3] * b[3] - c[3] }]
+                [
+                    if FUSED { a[0].mul_add(b[0], -c[0]) } else { a[0] * b[0] - c[0] },
+                    if FUSED { a[1].mul_add(b[1], -c[1]) } else { a[1] * b[1] - c[1] },
+                    if FUSED { a[2].mul_add(b[2], -c[2]) } else { a[2] * b[2] - c[2] },
+                    if FUSED { a[3].mul_add(b[3], -c[3]) } else { a[3] * b[3] - c[3] },
+                ]
             }
 
             #[inline(always)]
             fn sub_mul(self, a: [$real; 4], b: [$real; 4], c: [$real; 4]) -> [$real; 4] {
-                [if FUSED { (-a[0]).mul_add(b[0], c[0]) } else { c[0] - a[0] * b[0] }, if FUSED { (-a[1]).mul_add(b[1], c[1]) } else { c[1] - a[1] * b[1] }, if FUSED { (-a[2]).mul_add(b[2], c[2]) } else { c[2] - a[2] * b[2] }, if FUSED { (-a[3]).mul_add(b[3], c[3]) } else { c[3] - a[3] * b[3] }]
+                [
+                    if FUSED { (-a[0]).mul_add(b[0], c[0]) } else { c[0] - a[0] * b[0] },
+                    if FUSED { (-a[1]).mul_add(b[1], c[1]) } else { c[1] - a[1] * b[1] },
+                    if FUSED { (-a[2]).mul_add(b[2], c[2]) } else { c[2] - a[2] * b[2] },
+                    if FUSED { (-a[3]).mul_add(b[3], c[3]) } else { c[3] - a[3] * b[3] },
+                ]
             }
 
             #[inline(always)]
             fn max(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
                 // As x86 has it: the second where they cannot be compared.
-                [if a[0] > b[0] { a[0] } else { b[0] }, if a[1] > b[1] { a[1] } else { b[1] }, if a[2] > b[2] { a[2] } else { b[2] }, if a[3] > b[3] { a[3] } else { b[3] }]
+                [
+                    if a[0] > b[0] { a[0] } else { b[0] },
+                    if a[1] > b[1] { a[1] } else { b[1] },
+                    if a[2] > b[2] { a[2] } else { b[2] },
+                    if a[3] > b[3] { a[3] } else { b[3] },
+                ]
             }
 
             #[inline(always)]
             fn min(self, a: [$real; 4], b: [$real; 4]) -> [$real; 4] {
-                [if a[0] < b[0] { a[0] } else { b[0] }, if a[1] < b[1] { a[1] } else { b[1] }, if a[2] < b[2] { a[2] } else { b[2] }, if a[3] < b[3] { a[3] } else { b[3] }]
+                [
+                    if a[0] < b[0] { a[0] } else { b[0] },
+                    if a[1] < b[1] { a[1] } else { b[1] },
+                    if a[2] < b[2] { a[2] } else { b[2] },
+                    if a[3] < b[3] { a[3] } else { b[3] },
+                ]
             }
 
             #[inline(always)]
@@ -106,7 +131,12 @@ macro_rules! portable {
 
             #[inline(always)]
             fn select(self, mask: [bool; 4], yes: [$real; 4], no: [$real; 4]) -> [$real; 4] {
-                [if mask[0] { yes[0] } else { no[0] }, if mask[1] { yes[1] } else { no[1] }, if mask[2] { yes[2] } else { no[2] }, if mask[3] { yes[3] } else { no[3] }]
+                [
+                    if mask[0] { yes[0] } else { no[0] },
+                    if mask[1] { yes[1] } else { no[1] },
+                    if mask[2] { yes[2] } else { no[2] },
+                    if mask[3] { yes[3] } else { no[3] },
+                ]
             }
         }
 

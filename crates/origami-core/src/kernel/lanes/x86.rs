@@ -351,7 +351,11 @@ impl D8 {
     #[inline(always)]
     fn high(self, [x, y, z]: [__m512d; 3]) -> [__m256d; 3] {
         let v = self.0;
-        [v.avx512f._mm512_extractf64x4_pd::<1>(x), v.avx512f._mm512_extractf64x4_pd::<1>(y), v.avx512f._mm512_extractf64x4_pd::<1>(z)]
+        [
+            v.avx512f._mm512_extractf64x4_pd::<1>(x),
+            v.avx512f._mm512_extractf64x4_pd::<1>(y),
+            v.avx512f._mm512_extractf64x4_pd::<1>(z),
+        ]
     }
 
     #[inline(always)]
@@ -370,7 +374,11 @@ impl S16 {
     #[inline(always)]
     fn high(self, [x, y, z]: [__m512; 3]) -> [__m256; 3] {
         let v = self.0;
-        [v.avx512dq._mm512_extractf32x8_ps::<1>(x), v.avx512dq._mm512_extractf32x8_ps::<1>(y), v.avx512dq._mm512_extractf32x8_ps::<1>(z)]
+        [
+            v.avx512dq._mm512_extractf32x8_ps::<1>(x),
+            v.avx512dq._mm512_extractf32x8_ps::<1>(y),
+            v.avx512dq._mm512_extractf32x8_ps::<1>(z),
+        ]
     }
 
     #[inline(always)]

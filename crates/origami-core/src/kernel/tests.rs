@@ -1,5 +1,6 @@
 //! Every lane against the plain forces.
 
+use std::io::Write as _;
 use std::time::Instant;
 
 use glam::DVec3;
@@ -8,7 +9,9 @@ use super::isa::{Compute, Isa};
 use super::{Bounds, Kernel};
 use crate::forces::{Forces, damping};
 use crate::generate::catalog;
+use crate::ids::VertexId;
 use crate::model::{Material, Model};
+use crate::pattern::{Assignment, PatternEdge};
 
 const BOUNDS: Bounds = Bounds { farthest: 100.0, longest_move: 1.0 };
 
@@ -104,6 +107,137 @@ fn every_lane_has_the_plain_forces() {
     }
 }
 
+/// A Miura sheet with nodes held, stiffnesses of its own, and a rod outside any face.
+fn odd_sheet() -> Model {
+    let mut pattern = crate::generate::miura(5, 4).expect("valid");
+    pattern.fixed = vec![VertexId(0), VertexId(7)];
+    pattern.edges[3].ea = Some(3.0);
+    pattern.edges[8].k_crease = Some(5.0);
+    let end = VertexId::new(pattern.vertices.len());
+    pattern.vertices.push(pattern.vertices[0] + DVec3::new(-1.0, 0.5, 0.2));
+    let rod = PatternEdge { vertices: [VertexId(2), end], ..pattern.edges[0].clone() };
+    pattern.edges.push(PatternEdge { assignment: Assignment::Boundary, fold_angle: None, ..rod });
+    Model::new(&pattern, &Material::default()).expect("a model")
+}
+
+#[test]
+fn held_nodes_own_stiffnesses_and_rods() {
+    let model = odd_sheet();
+    assert!(!model.fixed.is_empty() && model.mesh.sides.iter().any(|side| side.triangles == [None; 2]));
+    for seed in 0..20 {
+        check(&Scene::new(model.clone(), seed, 0.05), "odd sheet", 1e-10, 1e-3);
+    }
+    let no_zeta = Material { zeta: 0.0, ..Material::default() };
+    check(&Scene::new(Model { material: no_zeta, ..model }, 1, 0.05), "undamped", 1e-10, 1e-3);
+}
+
+#[test]
+fn triangles_that_collapse_pull_at_nothing_and_keep_their_angles() {
+    let model = Model::new(&crate::generate::miura(4, 4).expect("valid"), &Material::default()).expect("a model");
+    let [a, b, c] = model.mesh.triangles[5].map(|n| n.index());
+    for height in [0.0, 1e-9, 1e-5, 1e-3] {
+        let mut scene = Scene::new(model.clone(), 1, 0.0);
+        let away = DVec3::new(0.3, 0.5, 0.7) * height;
+        scene.positions[c] = 0.5 * (scene.positions[a] + scene.positions[b]) + away;
+        // What is left of a height in f32 has few digits.
+        let mixed = if height < 1e-3 { f64::INFINITY } else { 1e-2 };
+        check(&scene, "a thin triangle", 1e-6, mixed);
+        for isa in Isa::all() {
+            let (forces, angles) = scene.fast::<f32>(isa, true);
+            assert!(forces.iter().all(|f| f.is_finite()) && angles.iter().all(|a| a.is_finite()), "{height}, {isa:?}");
+        }
+    }
+    let mut scene = Scene::new(model, 1, 0.0);
+    scene.positions.fill(DVec3::ONE);
+    for isa in Isa::all() {
+        let (forces, angles) = scene.fast::<f64>(isa, false);
+        assert_eq!((forces, angles), (vec![DVec3::ZERO; scene.positions.len()], scene.angles.clone()), "{isa:?}");
+    }
+}
+
+#[test]
+fn a_difference_is_seen() {
+    let scene = Scene::new(odd_sheet(), 1, 0.05);
+    let (forces, _) = scene.plain(true);
+    assert!(difference(&forces, &scene.plain(false).0) > 1e-3, "damping");
+    let stiffer = Material { k_face: 0.21, ..scene.model.material };
+    let stiffer =
+        Scene { model: Model { material: stiffer, ..scene.model.clone() }, ..Scene::new(odd_sheet(), 1, 0.05) };
+    assert!(difference(&forces, &stiffer.fast::<f64>(Isa::Portable, true).0) > 1e-5, "corner angles");
+}
+
+/// 100 steps by the plain formulas.
+fn plain_steps(scene: &Scene, time_step: f64) -> Vec<DVec3> {
+    let (mut positions, mut velocities, mut angles) =
+        (scene.positions.clone(), scene.velocities.clone(), scene.angles.clone());
+    let mut forces = Forces::new(&scene.model);
+    for _ in 0..100 {
+        let values = forces.evaluate(&positions, &scene.targets, &mut angles);
+        damping::add(&scene.model, &velocities, values);
+        for ((x, v), f) in positions.iter_mut().zip(&mut velocities).zip(values) {
+            *v += *f * time_step;
+            *x += *v * time_step;
+        }
+    }
+    positions
+}
+
+fn steps<R: Compute>(scene: &Scene, isa: Isa, time_step: f64) -> Vec<DVec3> {
+    let mut kernel = scene.kernel::<R>(isa);
+    for _ in 0..100 {
+        kernel.edges();
+        kernel.faces(true);
+        assert!(kernel.euler(time_step), "out of bounds");
+    }
+    let mut positions = Vec::new();
+    kernel.read_positions(&mut positions);
+    positions
+}
+
+fn farthest(a: &[DVec3], b: &[DVec3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_hundred_steps_agree_and_do_not_depend_on_the_width() {
+    let mut scene = Scene::new(odd_sheet(), 3, 1e-3);
+    scene.velocities.iter_mut().for_each(|v| *v *= 0.1);
+    scene.angles.fill(0.0);
+    for node in &scene.model.fixed {
+        scene.velocities[node.index()] = DVec3::ZERO;
+    }
+    let time_step = crate::solve::time_step::safe(&scene.model, &scene.positions, crate::solve::Integrator::Euler);
+    let plain = plain_steps(&scene, 0.5 * time_step);
+    assert!(farthest(&plain, &scene.positions) > 1e-2, "it moves");
+    let exact = steps::<f64>(&scene, Isa::PortableFused, 0.5 * time_step);
+    let mixed = steps::<f32>(&scene, Isa::PortableFused, 0.5 * time_step);
+    for isa in Isa::all() {
+        let (own_exact, own_mixed) =
+            (steps::<f64>(&scene, isa, 0.5 * time_step), steps::<f32>(&scene, isa, 0.5 * time_step));
+        let off = [&own_exact, &own_mixed].map(|own| farthest(own, &plain));
+        assert!(off[0] < 1e-11 && off[1] < 1e-5, "{isa:?}: {off:?}");
+        if !matches!(isa, Isa::Portable) {
+            assert!(own_exact == exact && own_mixed == mixed, "{isa:?} has other bits");
+        }
+    }
+}
+
+#[test]
+fn what_leaves_all_bounds_or_is_no_number_is_seen() {
+    for isa in Isa::all() {
+        for bad in [f64::NAN, f64::INFINITY, 1e3] {
+            let mut scene = Scene::new(odd_sheet(), 1, 1e-3);
+            let mut kernel = scene.kernel::<f64>(isa);
+            assert!(kernel.euler(1e-3), "{isa:?}");
+            scene.positions[9].y = bad;
+            assert!(!scene.kernel::<f64>(isa).euler(1e-3) && !scene.kernel::<f32>(isa).euler(1e-3), "{isa:?}: {bad}");
+            scene.positions[9].y = 0.0;
+            scene.velocities[9].z = 1e5;
+            assert!(!scene.kernel::<f64>(isa).euler(1e-3), "{isa:?}: {bad}");
+        }
+    }
+}
+
 #[test]
 #[ignore = "measures"]
 fn timing() {
@@ -148,7 +282,7 @@ fn time<R: Compute>(scene: &Scene, repeat: usize) {
             });
         }
         let name = format!("{isa:?}");
-        println!(
+        let line = format!(
             "{nodes:>7} {} {:>9} edges {:5.1} faces {:5.1} nodes {:5.1} all {:5.1}",
             size_of::<R>() * 8,
             &name[..name.len().min(8)],
@@ -157,5 +291,6 @@ fn time<R: Compute>(scene: &Scene, repeat: usize) {
             each[2],
             each[3]
         );
+        writeln!(std::io::stderr(), "{line}").expect("standard error");
     }
 }

@@ -1,14 +1,14 @@
 //! Four numbers in an array: right everywhere, and as fast as the compiler makes it.
 
-use super::super::lane::{Lane, Mesh};
-use super::super::real::{Quad64, Real};
+use crate::kernel::lane::{Lane, Mesh};
+use crate::kernel::real::{Quad64, Real};
 
 /// Four numbers. `FUSED`: products and sums are rounded once, as the other lanes do it; slow where the processor cannot.
 #[derive(Clone, Copy)]
-pub(in super::super) struct Portable<R, const FUSED: bool>(pub(in super::super) std::marker::PhantomData<R>);
+pub(in crate::kernel) struct Portable<R, const FUSED: bool>(pub(in crate::kernel) std::marker::PhantomData<R>);
 
 /// Whether all processors that this is compiled for round a product and a sum once.
-pub(in super::super) const FUSES: bool = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
+pub(in crate::kernel) const FUSES: bool = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
 
 macro_rules! portable {
     ($real:ty) => {

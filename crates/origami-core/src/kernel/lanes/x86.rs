@@ -7,24 +7,24 @@ use std::arch::x86_64::{__m128, __m256, __m256d, __m512, __m512d, _CMP_LT_OQ};
 use bytemuck::cast;
 use pulp::x86::{V3, V4};
 
-use super::super::lane::{Lane, Mesh};
-use super::super::real::{Quad32, Quad64};
+use crate::kernel::lane::{Lane, Mesh};
+use crate::kernel::real::{Quad32, Quad64};
 
 /// Four f64.
 #[derive(Clone, Copy)]
-pub(in super::super) struct D4(pub(in super::super) V3);
+pub(in crate::kernel) struct D4(pub(in crate::kernel) V3);
 /// Eight f32.
 #[derive(Clone, Copy)]
-pub(in super::super) struct S8(pub(in super::super) V3);
+pub(in crate::kernel) struct S8(pub(in crate::kernel) V3);
 /// Four f32: one node.
 #[derive(Clone, Copy)]
-pub(in super::super) struct S4(V3);
+pub(in crate::kernel) struct S4(V3);
 /// Eight f64.
 #[derive(Clone, Copy)]
-pub(in super::super) struct D8(pub(in super::super) V4);
+pub(in crate::kernel) struct D8(pub(in crate::kernel) V4);
 /// Sixteen f32.
 #[derive(Clone, Copy)]
-pub(in super::super) struct S16(pub(in super::super) V4);
+pub(in crate::kernel) struct S16(pub(in crate::kernel) V4);
 
 macro_rules! lane {
     (

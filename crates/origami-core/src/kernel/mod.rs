@@ -120,11 +120,7 @@ impl<R: Compute> Kernel<R> {
     /// Second pass: forces of all springs, and of the damping if `damped`.
     pub(crate) fn faces(&mut self, damped: bool) {
         let Self { sheet, places, moments, .. } = self;
-        let velocities = if damped && (!sheet.damping.is_empty() || !sheet.loose_ends.is_empty()) {
-            &self.velocities[..]
-        } else {
-            &[]
-        };
+        let velocities = if damped && sheet.damped { &self.velocities[..] } else { &[] };
         let (slots, loose) = self.slots.split_at_mut(sheet.corners.len());
         R::run(self.isa, Faces { sheet, places, velocities, moments, slots });
         if !loose.is_empty() {

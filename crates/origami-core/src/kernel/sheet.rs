@@ -35,6 +35,7 @@ pub(super) struct Sheet<R> {
     /// Where the forces on each node lie; nothing is gathered for one that is fixed.
     pub(super) slots: Vec<u32>,
     pub(super) k_face: f64,
+    pub(super) damped: bool,
 }
 
 /// A hinge and its nodes: ends, then apexes.
@@ -98,6 +99,7 @@ impl<R: Real> Sheet<R> {
             rows,
             slots,
             k_face: model.material.k_face,
+            damped,
         }
     }
 

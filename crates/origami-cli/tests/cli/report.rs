@@ -12,6 +12,7 @@ const KEYS: [&str; 30] = [
     "backend",
     "adapter",
     "percent",
+    "precision",
     "vertices",
     "beams",
     "creases",

@@ -1,8 +1,9 @@
-//! Time of one step on the CPU, one thread, f64: Miura sheets of about 100 to 100 000 nodes on their way to 60 %, default
+//! Time of one step on the CPU, one thread: Miura sheets of about 100 to 100 000 nodes on their way to 60 %, default
 //! material. All start 200 steps after the jump from flat, in which creases turn so fast that angles cost more.
 //!
 //! Measured: [`Dynamics`] (springs, damping, Euler) and [`Relax`] (springs, the sums and moves of FIRE, its masses every 50
-//! steps). Criterion's `elem/s` are nodes times steps per second; 1 / that is the time per node and step. The group `build`
+//! steps), in f64 and mixed, with what the processor's best instructions are; and, for comparison in the same run, the plain
+//! scalar step: the formulas of [`forces`] one after the other. Criterion's `elem/s` are nodes times steps per second; 1 / that is the time per node and step. The group `build`
 //! measures what comes before the first step, per node. Reading and writing files is not measured.
 
 use std::hint::black_box;
@@ -11,6 +12,8 @@ use std::time::Duration;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use origami::export::crease_pattern_document;
 use origami::fold::Frame;
+use origami::forces::{Forces, damping};
+use origami::solve::{Precision, time_step};
 use origami::{CreasePattern, Dynamics, Material, Model, Relax, Solver, State, generate};
 
 fn cpu_step(c: &mut Criterion) {
@@ -25,17 +28,46 @@ fn cpu_step(c: &mut Criterion) {
         // So many that copying the start and allocating do not count.
         let steps = (2_000_000 / nodes).max(100);
         group.throughput(Throughput::Elements(nodes * steps));
-        let solvers: [(&str, Box<dyn Solver>); 2] = [
-            ("dynamics", Box::new(Dynamics { steps: Some(steps), ..Dynamics::default() })),
-            ("relax", Box::new(Relax { steps: Some(steps), ramp: Some(0), ..Relax::default() })),
-        ];
-        for (name, solver) in solvers {
-            group.bench_function(BenchmarkId::new(name, nodes), |b| {
-                b.iter(|| black_box(solver.fold(&model, &start, 60.0, &mut |_| {}).expect("holds")));
-            });
+        group.bench_function(BenchmarkId::new("plain", nodes), |b| {
+            b.iter(|| black_box(plain_steps(&model, &start, steps)));
+        });
+        for precision in [Precision::F64, Precision::Mixed] {
+            let solvers: [(&str, Box<dyn Solver>); 2] = [
+                ("dynamics", Box::new(Dynamics { precision, steps: Some(steps), ..Dynamics::default() })),
+                ("relax", Box::new(Relax { precision, steps: Some(steps), ramp: Some(0), ..Relax::default() })),
+            ];
+            for (name, solver) in solvers {
+                let name = format!("{name}/{}", precision.name());
+                group.bench_function(BenchmarkId::new(name, nodes), |b| {
+                    b.iter(|| black_box(solver.fold(&model, &start, 60.0, &mut |_| {}).expect("holds")));
+                });
+            }
         }
     }
     group.finish();
+}
+
+/// The steps of [`Dynamics`] by the plain formulas.
+fn plain_steps(model: &Model, start: &State, steps: u64) -> State {
+    let mut state = start.clone();
+    let targets = model.targets(60.0);
+    let mut forces = Forces::new(model);
+    let coefficients = damping::coefficients(model);
+    let dt = time_step::paper(model);
+    for _ in 0..steps {
+        let values = forces.evaluate(&state.positions, &targets, &mut state.fold_angles);
+        for (beam, c) in model.beams.iter().zip(&coefficients) {
+            let [i, j] = beam.nodes.map(|n| n.index());
+            let force = (state.velocities[j] - state.velocities[i]) * *c;
+            values[i] += force;
+            values[j] -= force;
+        }
+        for ((x, v), f) in state.positions.iter_mut().zip(&mut state.velocities).zip(values) {
+            *v += *f * dt;
+            *x += *v * dt;
+        }
+    }
+    state
 }
 
 /// What a sheet costs before its first step: the pattern from a file's frame, with faces and with faces to be found among

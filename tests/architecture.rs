@@ -10,7 +10,7 @@ const SHADERS: &str = "shaders/src";
 const STUDY: &str = "crates/origami-study/src";
 
 /// Each module of the core, and those that it may use.
-const MAY_USE: [(&str, &[&str]); 11] = [
+const MAY_USE: [(&str, &[&str]); 12] = [
     ("error", &[]),
     ("ids", &[]),
     ("fold", &["error"]),
@@ -19,7 +19,8 @@ const MAY_USE: [(&str, &[&str]); 11] = [
     ("mesh", &["error", "ids", "pattern"]),
     ("model", &["error", "ids", "mesh", "pattern"]),
     ("forces", &["ids", "model"]),
-    ("solve", &["error", "forces", "ids", "model"]),
+    ("kernel", &["forces", "ids", "model"]),
+    ("solve", &["error", "forces", "ids", "kernel", "model"]),
     ("measure", &["error", "forces", "generate", "ids", "mesh", "model", "pattern", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "solve"]),
 ];

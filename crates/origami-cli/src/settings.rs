@@ -3,11 +3,12 @@
 use origami::model::{Material, Model};
 #[cfg(feature = "newton")]
 use origami::solve::Newton;
-use origami::solve::{Dynamics, Integrator, Relax, TimeStep, frame_percents, time_step};
+use origami::solve::{Dynamics, Integrator, Precision, Relax, TimeStep, frame_percents, time_step};
 use origami::{Warning, measure};
 
 use crate::args::{
-    ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PictureArgs, SolverName, SolvingArgs, SweepArgs,
+    ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PictureArgs, PrecisionName, SolverName, SolvingArgs,
+    SweepArgs,
 };
 use crate::backend::{Backend, Method};
 use crate::draw::{Film, Style};
@@ -36,6 +37,8 @@ pub(crate) struct Settings {
     pub(crate) method: Method,
     /// Where.
     pub(crate) backend: Backend,
+    /// What reports call the numbers of the processor, and of a GPU.
+    pub(crate) precisions: [&'static str; 2],
     /// Distance from the equilibrium, in radii.
     pub(crate) tolerance: f64,
     /// The rule for the length of a step of dynamics.
@@ -62,6 +65,7 @@ impl Settings {
             solver_name: solving.solver,
             method: method(solving, args.perturbation)?,
             backend: backend(solving)?,
+            precisions: [solving.precision_name(false), solving.precision_name(true)],
             tolerance: solving.tolerance,
             time_step,
             integrator,
@@ -90,16 +94,17 @@ impl Settings {
 /// What this build cannot do.
 pub(crate) fn method(solving: &SolvingArgs, perturbation: Option<f64>) -> Result<Method, String> {
     let (tolerance, max_steps, steps) = (solving.tolerance, solving.max_steps, solving.steps);
-    let mut relax = Relax { tolerance, ramp: solving.ramp, max_steps, steps, ..Relax::default() };
+    let precision = solving.precision();
+    let mut relax = Relax { tolerance, ramp: solving.ramp, max_steps, steps, precision, ..Relax::default() };
     relax.perturbation = perturbation.unwrap_or(relax.perturbation);
     match solving.solver {
         SolverName::Relax => Ok(Method::Relax(relax)),
         SolverName::Dynamics => {
             let ramp = solving.ramp.unwrap_or(0);
             let (time_step, integrator) = (solving.time_step(), solving.integrator());
-            Ok(Method::Dynamics(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps }))
+            Ok(Method::Dynamics(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps, precision }))
         }
-        SolverName::Newton => newton(Relax { steps: None, ..relax }, solving.residual),
+        SolverName::Newton => newton(Relax { steps: None, precision: Precision::F64, ..relax }, solving.residual),
     }
 }
 
@@ -126,7 +131,11 @@ pub(crate) fn backend(solving: &SolvingArgs) -> Result<Backend, String> {
     if solving.solver == SolverName::Newton && solving.backend == BackendName::Gpu {
         return Err("--backend gpu: newton runs on the processor; expected auto or cpu".to_owned());
     }
-    Backend::new(solving.backend, solving.adapter.as_deref())
+    if solving.precision.is_some() && solving.backend == BackendName::Gpu {
+        return Err("--precision: GPUs have numbers of their own; expected --backend cpu, or neither".to_owned());
+    }
+    let wanted = if solving.precision.is_some() { BackendName::Cpu } else { solving.backend };
+    Backend::new(wanted, solving.adapter.as_deref())
 }
 
 /// What may help against divergence.
@@ -142,6 +151,23 @@ impl SolvingArgs {
     /// The rule for the length of a step of dynamics.
     pub(crate) fn time_step(&self) -> TimeStep {
         self.time_step.unwrap_or(TimeStep::Paper)
+    }
+
+    /// The processor's numbers.
+    fn precision(&self) -> Precision {
+        match self.precision {
+            None | Some(PrecisionName::F64) => Precision::F64,
+            Some(PrecisionName::Mixed) => Precision::Mixed,
+        }
+    }
+
+    /// What the report calls the numbers of a run `on_gpu` or not.
+    pub(crate) fn precision_name(&self, on_gpu: bool) -> &'static str {
+        match self.solver {
+            _ if on_gpu => "f32",
+            SolverName::Newton => Precision::F64.name(),
+            SolverName::Relax | SolverName::Dynamics => self.precision().name(),
+        }
     }
 
     fn integrator(&self) -> Integrator {
@@ -196,6 +222,7 @@ fn without_effect(solving: &SolvingArgs, zeta: bool, perturbation: bool) -> Vec<
         ("--perturbation", &[Relax, Newton], perturbation),
         ("--steps", &[Relax, Dynamics], solving.steps.is_some()),
         ("--residual", &[Newton], solving.residual.is_some()),
+        ("--precision", &[Relax, Dynamics], solving.precision.is_some()),
     ];
     let given = given.iter().filter(|(_, solvers, given)| *given && !solvers.contains(&solving.solver));
     let mut oddities: Vec<String> =
@@ -204,6 +231,8 @@ fn without_effect(solving: &SolvingArgs, zeta: bool, perturbation: bool) -> Vec<
     let named = solving.adapter.is_some() && solving.adapter != std::env::var(ADAPTER_VARIABLE).ok();
     if named && solving.solver == Newton {
         oddities.push("--adapter has no effect with --solver newton".to_owned());
+    } else if named && solving.precision.is_some() {
+        oddities.push("--adapter has no effect with --precision".to_owned());
     } else if named && solving.backend == BackendName::Cpu {
         oddities.push("--adapter has no effect with --backend cpu".to_owned());
     } else if named && cfg!(not(feature = "gpu")) {

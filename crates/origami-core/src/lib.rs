@@ -10,6 +10,7 @@ pub mod fold;
 pub mod forces;
 pub mod generate;
 pub mod ids;
+mod kernel;
 pub mod measure;
 pub mod mesh;
 pub mod model;

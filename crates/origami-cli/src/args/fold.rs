@@ -148,6 +148,12 @@ pub(crate) struct SolvingArgs {
     #[arg(long, value_enum, value_name = "SOLVER", default_value_t = SolverName::Relax)]
     pub(crate) solver: SolverName,
 
+    /// The numbers in which the processor computes [default: f64]
+    ///
+    /// Where it is given, `--backend auto` is the processor. GPUs compute in f32, with places in two parts.
+    #[arg(long, value_enum, value_name = "PRECISION")]
+    pub(crate) precision: Option<PrecisionName>,
+
     /// Distance from the equilibrium at which to stop, in units of the sheet's radius
     ///
     /// With newton: at which relax hands over to it.
@@ -192,6 +198,15 @@ pub(crate) enum BackendName {
     Cpu,
     /// A GPU; a software one where there is no other
     Gpu,
+}
+
+/// The numbers in which the processor computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PrecisionName {
+    /// f64 throughout
+    F64,
+    /// Places in f64, all else in f32: faster, for tolerances of 1e-6 and more
+    Mixed,
 }
 
 /// How the folded state is found.

@@ -13,7 +13,9 @@ mod sweep;
 mod values;
 
 pub(crate) use adapters::AdaptersArgs;
-pub(crate) use fold::{ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, SolverName, SolvingArgs};
+pub(crate) use fold::{
+    ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs,
+};
 pub(crate) use info::InfoArgs;
 pub(crate) use material::MaterialArgs;
 pub(crate) use pattern::PatternArgs;

@@ -42,6 +42,8 @@ pub(crate) struct Run {
     /// What was built.
     #[serde(flatten)]
     pub(crate) scene: Scene,
+    /// `f64` or `mixed` on the processor, `f32` on a GPU.
+    pub(crate) precision: &'static str,
     /// Distance from the equilibrium at which to stop, in radii.
     pub(crate) tolerance: f64,
     /// Of the last state.

@@ -21,6 +21,8 @@ pub(crate) struct Table {
     pub(crate) backend: &'static str,
     /// The GPU.
     pub(crate) adapter: Option<Adapter>,
+    /// `f64` or `mixed` on the processor, `f32` on a GPU.
+    pub(crate) precision: &'static str,
     /// Distance from the equilibrium at which to stop, in radii.
     pub(crate) tolerance: f64,
     /// What was built: materials differ in what they need.

@@ -6,12 +6,13 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 30] = [
+const KEYS: [&str; 31] = [
     "input",
     "solver",
     "backend",
     "adapter",
     "percent",
+    "precision",
     "vertices",
     "beams",
     "creases",

@@ -2,14 +2,14 @@
 
 use glam::DVec3;
 
-use super::guard::Guard;
+use super::motion::Motion;
 use super::ramp::Ramp;
-use super::settle::Settling;
 use super::{
-    DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Progress, REPORT, Solver, State, Stop, TimeStep, largest,
+    DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, REPORT, Solver, State, Stop, TimeStep,
     time_step,
 };
-use crate::forces::{Forces, damping};
+use crate::forces::damping;
+use crate::kernel::{Compute, Kernel};
 use crate::model::{Inventory, Model};
 
 /// Steps between two renewals of [`TimeStep::Safe`].
@@ -40,6 +40,9 @@ pub struct Dynamics {
     pub max_steps: u64,
     /// Run exactly so many steps instead. Default: until it has converged.
     pub steps: Option<u64>,
+    /// The numbers in which the processor computes: [`Precision::Mixed`] for speed, where seven digits will do. GPUs have
+    /// numbers of their own. Default f64.
+    pub precision: Precision,
 }
 
 impl Default for Dynamics {
@@ -51,6 +54,7 @@ impl Default for Dynamics {
             tolerance: DEFAULT_TOLERANCE,
             max_steps: DEFAULT_MAX_STEPS,
             steps: None,
+            precision: Precision::F64,
         }
     }
 }
@@ -63,54 +67,10 @@ impl Solver for Dynamics {
         percent: f64,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
-        let mut state = start.clone();
-        let mut ramp = Ramp::new(&start.targets, model.targets(percent), self.ramp);
-        let mut forces = Forces::new(model);
-        let damping = if model.material.zeta > 0.0 { damping::coefficients(model) } else { Vec::new() };
-        let mut clock = Clock::new(self, model);
-        let verlet_nodes = if self.integrator == Integrator::Verlet { model.node_count() } else { 0 };
-        let mut accelerations = vec![DVec3::ZERO; verlet_nodes];
-        let mut guard = Guard::new(model, start);
-        let mut settling = Settling::new(model, self.tolerance);
-
-        let limit = self.steps.unwrap_or(self.max_steps);
-        let mut steps = 0;
-        let stop = loop {
-            if steps >= limit {
-                break if self.steps.is_some() { Stop::StepsDone } else { Stop::StepLimit };
-            }
-            ramp.advance();
-            let dt = clock.step(model, &state, steps);
-            let values = forces.evaluate(&state.positions, &ramp.targets, &mut state.fold_angles);
-            if ramp.done() && settling.observe(&state.positions, values) && self.steps.is_none() {
-                break Stop::Converged;
-            }
-            steps += 1;
-            let holds = match self.integrator {
-                Integrator::Euler => {
-                    damping::add_forces(model, &damping, &state.velocities, values);
-                    euler(&mut state, values, dt)
-                }
-                Integrator::Verlet => {
-                    verlet_arrive(model, &mut state, values, &damping, &mut accelerations, 0.5 * clock.previous);
-                    verlet_depart(&mut state, &accelerations, dt)
-                }
-            };
-            clock.previous = dt;
-            guard.check(holds, steps, &state, dt)?;
-            if steps.is_multiple_of(REPORT) {
-                observe(Progress { step: steps, ramp: ramp.share(), distance: settling.distance() });
-            }
-        };
-
-        state.targets = ramp.into_asked();
-        let values = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles);
-        let residual = largest(values);
-        if self.integrator == Integrator::Verlet && steps > 0 {
-            verlet_arrive(model, &mut state, values, &damping, &mut accelerations, 0.5 * clock.previous);
+        match self.precision {
+            Precision::F64 => self.run::<f64>(model, start, percent, observe),
+            Precision::Mixed => self.run::<f32>(model, start, percent, observe),
         }
-        let (time_step, distance) = (clock.dt, settling.distance());
-        Ok(Folded { state, percent, stop, steps, time_step, residual, distance, attempts: 1 })
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
@@ -124,48 +84,74 @@ impl Solver for Dynamics {
     }
 }
 
-/// `v += dt F`, `x += dt v` with the new v; false where a node went out of bounds.
-fn euler(state: &mut State, forces: &[DVec3], dt: f64) -> bool {
-    for ((x, v), f) in state.positions.iter_mut().zip(&mut state.velocities).zip(forces) {
-        *v += *f * dt;
-        *x += *v * dt;
+impl Dynamics {
+    fn run<R: Compute>(
+        &self,
+        model: &Model,
+        start: &State,
+        percent: f64,
+        observe: &mut dyn FnMut(Progress),
+    ) -> Result<Folded, Failed> {
+        let mut ramp = Ramp::new(&start.targets, model.targets(percent), self.ramp);
+        let mut motion = Motion::<R>::new(model, start, start.clone(), self.tolerance);
+        let mut clock = Clock::new(self, model);
+        let damped = model.material.zeta > 0.0;
+        motion.kernel.aim(&ramp.targets);
+
+        let limit = self.steps.unwrap_or(self.max_steps);
+        let mut steps = 0;
+        let stop = loop {
+            if steps >= limit {
+                break if self.steps.is_some() { Stop::StepsDone } else { Stop::StepLimit };
+            }
+            if !ramp.done() {
+                ramp.advance();
+                motion.kernel.aim(&ramp.targets);
+            }
+            let dt = clock.step(&mut motion, steps);
+            motion.kernel.edges();
+            // Damping has no part in what tells how far it is to the equilibrium.
+            let looks = ramp.done() && motion.settling.looks();
+            if looks {
+                motion.kernel.faces(false);
+            }
+            if ramp.done() && motion.settled() && self.steps.is_none() {
+                break Stop::Converged;
+            }
+            if damped || !looks {
+                motion.kernel.faces(damped);
+            }
+            steps += 1;
+            let holds = match self.integrator {
+                Integrator::Euler => motion.kernel.euler(dt),
+                Integrator::Verlet => motion.kernel.verlet(dt, clock.previous),
+            };
+            clock.previous = dt;
+            motion.check(holds, steps, dt)?;
+            if steps.is_multiple_of(REPORT) {
+                observe(Progress { step: steps, ramp: ramp.share(), distance: motion.settling.distance() });
+            }
+        };
+
+        motion.read();
+        let end = (percent, stop, steps, clock.dt);
+        Ok(motion.into_folded(ramp.into_asked(), end, |kernel, state, forces| {
+            if self.integrator == Integrator::Verlet && steps > 0 {
+                arrive(model, kernel, state, forces, clock.previous);
+            }
+        }))
     }
-    holds(state, dt)
 }
 
-/// Ends the step before: brings the velocity from the middle of it to now, `kick` later. `forces` are those of the
-/// springs alone; the damping acts on a velocity extrapolated by the acceleration before, so that its error is of second
-/// order too.
-fn verlet_arrive(
-    model: &Model,
-    state: &mut State,
-    forces: &mut [DVec3],
-    damping: &[f64],
-    accelerations: &mut [DVec3],
-    kick: f64,
-) {
-    for (v, a) in state.velocities.iter_mut().zip(accelerations.iter()) {
-        *v += *a * kick;
+/// Ends the last step of [`Integrator::Verlet`], whose velocity is extrapolated to its end by the acceleration before.
+/// `forces` are those of the springs alone.
+fn arrive<R: Compute>(model: &Model, kernel: &Kernel<R>, state: &mut State, forces: &mut [DVec3], time_step: f64) {
+    damping::add(model, &state.velocities, forces);
+    let mut before = Vec::new();
+    kernel.read_accelerations(&mut before);
+    for ((v, force), before) in state.velocities.iter_mut().zip(forces).zip(before) {
+        *v += (*force - before) * (0.5 * time_step);
     }
-    damping::add_forces(model, damping, &state.velocities, forces);
-    for ((v, f), a) in state.velocities.iter_mut().zip(forces).zip(accelerations) {
-        *v += (*f - *a) * kick;
-        *a = *f;
-    }
-}
-
-/// Begins a step: on to the velocity in its middle, and to the position at its end.
-fn verlet_depart(state: &mut State, accelerations: &[DVec3], dt: f64) -> bool {
-    for ((x, v), a) in state.positions.iter_mut().zip(&mut state.velocities).zip(accelerations) {
-        *v += *a * (0.5 * dt);
-        *x += *v * dt;
-    }
-    holds(state, dt)
-}
-
-/// Whether all nodes are in bounds.
-fn holds(state: &State, dt: f64) -> bool {
-    state.positions.iter().zip(&state.velocities).all(|(x, v)| Guard::holds(*x, *v * dt))
 }
 
 /// The step, and its renewal.
@@ -186,9 +172,10 @@ impl Clock {
         Self { rule: solver.time_step, integrator: solver.integrator, dt, previous: 0.0 }
     }
 
-    fn step(&mut self, model: &Model, state: &State, steps: u64) -> f64 {
+    fn step<R: Compute>(&mut self, motion: &mut Motion<'_, R>, steps: u64) -> f64 {
         if self.rule == TimeStep::Safe && steps.is_multiple_of(RENEWAL) {
-            self.dt = time_step::safe(model, &state.positions, self.integrator);
+            motion.read_positions();
+            self.dt = time_step::safe(motion.model, &motion.state.positions, self.integrator);
         }
         self.dt
     }

@@ -1,11 +1,9 @@
 //! FIRE, the fast inertial relaxation engine (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006), on masses equal to the
 //! row sums of the stiffness: every node then moves at its own local step, and a step of 2 would be the stability limit.
 
-use glam::DVec3;
-
-use super::State;
-use super::guard::Guard;
+use super::motion::Motion;
 use super::row_sums::row_sums;
+use crate::kernel::{Compute, Decision, Sums};
 use crate::model::Model;
 
 /// The first step, in units of each node's own; 2 would be the limit of stability.
@@ -29,19 +27,20 @@ pub const RENEWAL: u64 = 50;
 
 /// The minimiser's own state.
 #[derive(Debug)]
-pub(super) struct Fire<'m> {
-    model: &'m Model,
-    masses: Vec<f64>,
+pub(super) struct Fire {
+    /// By node, with their inverses.
+    masses: Vec<[f64; 2]>,
+    sums: Vec<f64>,
     step: f64,
     mixing: f64,
     downhill: u32,
     evaluations: u64,
 }
 
-impl<'m> Fire<'m> {
-    pub(super) fn new(model: &'m Model) -> Self {
-        let masses = vec![0.0; model.node_count()];
-        Self { model, masses, step: FIRST_STEP, mixing: MIXING, downhill: 0, evaluations: 0 }
+impl Fire {
+    pub(super) fn new(model: &Model) -> Self {
+        let (masses, sums) = (vec![[0.0; 2]; model.node_count()], vec![0.0; model.node_count()]);
+        Self { masses, sums, step: FIRST_STEP, mixing: MIXING, downhill: 0, evaluations: 0 }
     }
 
     /// The present step, in units of each node's own.
@@ -49,21 +48,20 @@ impl<'m> Fire<'m> {
         self.step
     }
 
-    /// Moves the state by the forces at its positions; false where a node went out of bounds.
-    pub(super) fn advance(&mut self, state: &mut State, forces: &[DVec3]) -> bool {
+    /// Moves the sheet by the forces at its positions; false where a node may be out of bounds.
+    pub(super) fn advance<R: Compute>(&mut self, motion: &mut Motion<'_, R>) -> bool {
         if self.evaluations.is_multiple_of(RENEWAL) {
-            row_sums(self.model, &state.positions, &mut self.masses);
+            motion.read_positions();
+            row_sums(motion.model, &motion.state.positions, &mut self.sums);
+            self.masses.clear();
+            self.masses.extend(self.sums.iter().map(|mass| [*mass, 1.0 / mass]));
         }
         self.evaluations += 1;
+        let decision = self.decide(motion.kernel.weigh(&self.masses));
+        motion.kernel.moves(&self.masses, decision)
+    }
 
-        // Power, and the squared lengths of velocity and acceleration in the norm of the masses.
-        let (mut power, mut speed, mut pull) = (0.0, 0.0, 0.0);
-        for ((v, f), m) in state.velocities.iter().zip(forces).zip(&self.masses) {
-            power += f.dot(*v);
-            speed += m * v.length_squared();
-            pull += f.length_squared() / m;
-        }
-
+    fn decide(&mut self, Sums { power, speed, pull }: Sums) -> Decision {
         let uphill = power < 0.0;
         if uphill {
             self.step = (SHORTER * self.step).max(SHORTEST_STEP);
@@ -76,18 +74,11 @@ impl<'m> Fire<'m> {
                 self.mixing *= LESS_MIXING;
             }
         }
-        let turn = if pull > 0.0 { self.mixing * (speed / pull).sqrt() } else { 0.0 };
-        let (keep, towards_force, back) =
-            if uphill { (0.0, self.step, -0.5 * self.step) } else { (1.0 - self.mixing, turn + self.step, 0.0) };
-
-        let mut holds = true;
-        let nodes = state.positions.iter_mut().zip(&mut state.velocities).zip(forces).zip(&self.masses);
-        for (((x, v), f), m) in nodes {
-            let retreat = *v * back;
-            *v = *v * keep + *f * (towards_force / m);
-            *x += *v * self.step + retreat;
-            holds &= Guard::holds(*x, *v * self.step);
+        let step = self.step;
+        if uphill {
+            return Decision { step, keep: 0.0, towards_force: step, back: -0.5 * step };
         }
-        holds
+        let turn = if pull > 0.0 { self.mixing * (speed / pull).sqrt() } else { 0.0 };
+        Decision { step, keep: 1.0 - self.mixing, towards_force: turn + step, back: 0.0 }
     }
 }

@@ -82,38 +82,28 @@ impl<'m> Guard<'m> {
     }
 
     /// Whether one node is where it can be, and came there in a step that it can take. NaN is not.
-    #[inline]
-    pub(super) fn holds(position: DVec3, moved: DVec3) -> bool {
+    fn holds(position: DVec3, moved: DVec3) -> bool {
         Self::within(position, moved, FARTHEST, LONGEST_MOVE)
     }
 
-    #[inline]
     fn within(position: DVec3, moved: DVec3, farthest: f64, longest: f64) -> bool {
         position.length_squared() <= farthest * farthest && moved.length_squared() <= longest * longest
     }
 
-    /// After step `step`, which moved every node by `time_step` times its velocity: an error where it did not hold;
-    /// now and then a copy of the state.
-    pub(super) fn check(&mut self, holds: bool, step: u64, state: &State, time_step: f64) -> Result<(), Diverged> {
-        if !holds {
-            return Err(self.diverged(step, state, time_step));
+    /// After step `step`, which moved every node by `time_step` times its velocity: an error where one is out of bounds;
+    /// at every [`COPY_EVERY`]th a copy of a good state.
+    pub(super) fn check(&mut self, step: u64, state: &State, time_step: f64) -> Result<(), Diverged> {
+        let nodes = || state.positions.iter().zip(&state.velocities).map(|(p, v)| (*p, *v * time_step));
+        if let Some((node, (p, moved))) = nodes().enumerate().find(|(_, (p, moved))| !Self::holds(*p, *moved)) {
+            let last_good = Box::new(self.last_good.clone());
+            return Err(Diverged::new(self.model, (NodeId::new(node), p, moved), step, last_good, self.last_good_step));
         }
-        if step.is_multiple_of(COPY_EVERY) {
-            let nodes = || state.positions.iter().zip(&state.velocities);
-            if nodes().all(|(p, v)| Self::within(*p, *v * time_step, GOOD_POSITION, GOOD_MOVE)) {
-                self.last_good.clone_from(state);
-                self.last_good_step = step;
-            }
+        let good = |(p, moved)| Self::within(p, moved, GOOD_POSITION, GOOD_MOVE);
+        if step.is_multiple_of(COPY_EVERY) && nodes().all(good) {
+            self.last_good.clone_from(state);
+            self.last_good_step = step;
         }
         Ok(())
-    }
-
-    fn diverged(&self, step: u64, state: &State, time_step: f64) -> Diverged {
-        let bad = |(_, (p, v)): &(usize, (&DVec3, &DVec3))| !Self::holds(**p, **v * time_step);
-        let nodes = state.positions.iter().zip(&state.velocities).enumerate();
-        let (node, (p, v)) = { nodes }.find(bad).expect("the caller saw a node out of bounds");
-        let last_good = Box::new(self.last_good.clone());
-        Diverged::new(self.model, (NodeId::new(node), *p, *v * time_step), step, last_good, self.last_good_step)
     }
 }
 

@@ -8,10 +8,12 @@ mod ensemble;
 mod failed;
 pub mod fire;
 pub mod guard;
+mod motion;
 #[cfg(feature = "newton")]
 pub mod newton;
 mod path;
 mod perturb;
+mod precision;
 mod ramp;
 pub mod relax;
 pub mod row_sums;
@@ -28,6 +30,7 @@ pub use guard::{Diverged, Quantity};
 #[cfg(feature = "newton")]
 pub use newton::Newton;
 pub use path::{PathFailed, fold_path, frame_percents};
+pub use precision::Precision;
 pub use relax::{Relax, default_ramp};
 pub use session::Session;
 pub use state::State;

@@ -1,12 +1,11 @@
 //! Relaxation: the folded state, without the motion that leads to it.
 
 use super::fire::Fire;
-use super::guard::Guard;
+use super::motion::Motion;
 use super::perturb::perturb;
 use super::ramp::Ramp;
-use super::settle::Settling;
-use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Progress, REPORT, Solver, State, Stop, largest};
-use crate::forces::Forces;
+use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, REPORT, Solver, State, Stop};
+use crate::kernel::Compute;
 use crate::model::{Inventory, Model};
 
 /// The ramp stops while a crease turns by more than this in one evaluation, in radians.
@@ -38,6 +37,9 @@ pub struct Relax {
     /// on the saddle between two ways to buckle; nothing moves where nothing is to be folded. Larger: saddles are left
     /// sooner; 0: none. Default 3e-3.
     pub perturbation: f64,
+    /// The numbers in which the processor computes: [`Precision::Mixed`] for speed, where a tolerance of 1e-6 or more will
+    /// do. GPUs have numbers of their own. Default f64.
+    pub precision: Precision,
 }
 
 impl Default for Relax {
@@ -49,6 +51,7 @@ impl Default for Relax {
             steps: None,
             retry: true,
             perturbation: 3e-3,
+            precision: Precision::F64,
         }
     }
 }
@@ -104,18 +107,10 @@ impl Solver for Relax {
         percent: f64,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
-        let mut attempt = self.first_attempt(model, start, percent);
-        let mut kept = self.attempt(model, start, percent, attempt, observe)?;
-        while let Some(next) = self.next_attempt(model, start, attempt, &kept) {
-            attempt = next;
-            let so_far = kept.steps;
-            let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
-            // The state at hand is finite: another way that diverges does not take it away.
-            if let Ok(other) = self.attempt(model, start, percent, attempt, &mut observe) {
-                kept = lower(model, kept, other, attempt.number);
-            }
+        match self.precision {
+            Precision::F64 => self.attempts::<f64>(model, start, percent, observe),
+            Precision::Mixed => self.attempts::<f32>(model, start, percent, observe),
         }
-        Ok(kept)
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
@@ -167,7 +162,28 @@ impl Relax {
         state
     }
 
-    fn attempt(
+    fn attempts<R: Compute>(
+        &self,
+        model: &Model,
+        start: &State,
+        percent: f64,
+        observe: &mut dyn FnMut(Progress),
+    ) -> Result<Folded, Failed> {
+        let mut attempt = self.first_attempt(model, start, percent);
+        let mut kept = self.attempt::<R>(model, start, percent, attempt, observe)?;
+        while let Some(next) = self.next_attempt(model, start, attempt, &kept) {
+            attempt = next;
+            let so_far = kept.steps;
+            let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
+            // The state at hand is finite: another way that diverges does not take it away.
+            if let Ok(other) = self.attempt::<R>(model, start, percent, attempt, &mut observe) {
+                kept = lower(model, kept, other, attempt.number);
+            }
+        }
+        Ok(kept)
+    }
+
+    fn attempt<R: Compute>(
         &self,
         model: &Model,
         start: &State,
@@ -175,42 +191,36 @@ impl Relax {
         Attempt { ramp, limit, .. }: Attempt,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
-        let mut state = self.beginning(model, start, percent);
         let mut ramp = Ramp::new(&start.targets, model.targets(percent), ramp);
-        let mut forces = Forces::new(model);
+        let mut motion = Motion::<R>::new(model, start, self.beginning(model, start, percent), self.tolerance);
         let mut fire = Fire::new(model);
-        let mut guard = Guard::new(model, start);
-        let mut settling = Settling::new(model, self.tolerance);
-        let mut before = state.fold_angles.clone();
+        motion.kernel.aim(&ramp.targets);
+        let mut turned = 0.0;
 
         let mut steps = 0;
         let stop = loop {
             if steps >= limit {
                 break if self.steps.is_some() { Stop::StepsDone } else { Stop::StepLimit };
             }
-            if !ramp.done() {
-                let turns = state.fold_angles.iter().zip(&before).map(|(now, then)| (now - then).abs());
-                if turns.fold(0.0, f64::max) <= HOLD {
-                    ramp.advance();
-                }
-                before.copy_from_slice(&state.fold_angles);
+            if !ramp.done() && turned <= HOLD {
+                ramp.advance();
+                motion.kernel.aim(&ramp.targets);
             }
-            let values = forces.evaluate(&state.positions, &ramp.targets, &mut state.fold_angles);
+            turned = motion.kernel.edges();
+            motion.kernel.faces(false);
             steps += 1;
-            if ramp.done() && settling.observe(&state.positions, values) && self.steps.is_none() {
+            if ramp.done() && motion.settled() && self.steps.is_none() {
                 break Stop::Converged;
             }
-            let holds = fire.advance(&mut state, values);
-            guard.check(holds, steps, &state, fire.step())?;
+            let holds = fire.advance(&mut motion);
+            motion.check(holds, steps, fire.step())?;
             if steps.is_multiple_of(REPORT) {
-                observe(Progress { step: steps, ramp: ramp.share(), distance: settling.distance() });
+                observe(Progress { step: steps, ramp: ramp.share(), distance: motion.settling.distance() });
             }
         };
 
-        state.velocities.fill(glam::DVec3::ZERO);
-        state.targets = ramp.into_asked();
-        let residual = largest(forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles));
-        let (time_step, distance) = (fire.step(), settling.distance());
-        Ok(Folded { state, percent, stop, steps, time_step, residual, distance, attempts: 1 })
+        motion.read();
+        motion.state.velocities.fill(glam::DVec3::ZERO);
+        Ok(motion.into_folded(ramp.into_asked(), (percent, stop, steps, fire.step()), |_, _, _| {}))
     }
 }

@@ -55,21 +55,26 @@ impl Settling {
         }
     }
 
-    /// Takes note of one evaluation; true when the state has settled.
-    pub(super) fn observe(&mut self, positions: &[DVec3], forces: &[DVec3]) -> bool {
-        if self.evaluations == self.window_ends {
+    /// Whether a window ends with the next evaluation.
+    pub(super) fn looks(&self) -> bool {
+        self.evaluations == self.window_ends
+    }
+
+    /// Takes note of one evaluation; true when the state has settled. Where a window ends, `read` writes positions and
+    /// forces by node.
+    pub(super) fn observe(&mut self, read: impl FnOnce(&mut Vec<DVec3>, &mut Vec<DVec3>)) -> bool {
+        if self.looks() {
+            let (mut positions, mut forces) = (Vec::new(), Vec::new());
+            read(&mut positions, &mut forces);
             if self.evaluations > 0 {
-                self.distance = self.estimate(positions, forces);
+                self.distance = self.estimate(&positions, &forces);
                 self.settled_windows = match self.distance / self.tolerance {
                     share if share < SMALL_SHARE => self.settled_windows + 2,
                     share if share < SHARE => self.settled_windows + 1,
                     _ => 0,
                 };
             }
-            self.positions.clear();
-            self.positions.extend_from_slice(positions);
-            self.forces.clear();
-            self.forces.extend_from_slice(forces);
+            (self.positions, self.forces) = (positions, forces);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a step count")]
             let share = (SHARE_OF_PAST * self.evaluations as f64) as u64;
             self.window_ends += SHORTEST.max(share);
@@ -107,13 +112,21 @@ impl Settling {
 mod tests {
     use super::*;
 
+    /// One evaluation of a sheet of one node.
+    fn observe(settling: &mut Settling, position: DVec3, force: DVec3) -> bool {
+        settling.observe(|positions, forces| {
+            positions.push(position);
+            forces.push(force);
+        })
+    }
+
     /// A point that slides down a parabola, a fixed share of its distance at each evaluation.
     fn slide(share: f64, tolerance: f64) -> (u64, f64, f64) {
         let mut settling = Settling::with_stiffness(&[7.0], tolerance);
         let mut x = 1.0;
         for evaluation in 0..1_000_000 {
             let (p, f) = (DVec3::new(x, 0.0, 0.0), DVec3::new(-7.0 * x, 0.0, 0.0));
-            if settling.observe(&[p], &[f]) {
+            if observe(&mut settling, p, f) {
                 return (evaluation, x, settling.distance());
             }
             x *= 1.0 - share;
@@ -138,7 +151,7 @@ mod tests {
         let mut settling = Settling::with_stiffness(&[20.0], 1e-4);
         let settled = (0..10_000).any(|i| {
             let x = f64::from(i) * 1e-5;
-            settling.observe(&[DVec3::new(x, 0.0, 0.0)], &[DVec3::new(1.0, 0.0, 0.0)])
+            observe(&mut settling, DVec3::new(x, 0.0, 0.0), DVec3::X)
         });
         assert!(!settled);
         assert_eq!(settling.distance(), f64::INFINITY);
@@ -147,14 +160,14 @@ mod tests {
     #[test]
     fn rest_settles_after_the_least_number_of_evaluations() {
         let mut settling = Settling::with_stiffness(&[20.0], 1e-4);
-        let at = (0..1000).position(|_| settling.observe(&[DVec3::ONE], &[DVec3::ZERO]));
+        let at = (0..1000).position(|_| observe(&mut settling, DVec3::ONE, DVec3::ZERO));
         assert_eq!(at, Some(160));
     }
 
     #[test]
     fn a_loaded_node_that_cannot_move_has_not_settled() {
         let mut settling = Settling::with_stiffness(&[20.0], 1e-4);
-        assert!((0..1000).all(|_| !settling.observe(&[DVec3::ONE], &[DVec3::X])));
+        assert!((0..1000).all(|_| !observe(&mut settling, DVec3::ONE, DVec3::X)));
         assert_eq!(settling.distance(), 1.0 / 20.0);
     }
 }

@@ -76,8 +76,9 @@ fn attempt(
     let mut run = Run {
         input: input.to_string(),
         solver: settings.solver_name.name(),
-        backend: if place.adapter.is_some() { "gpu" } else { "cpu" },
+        backend: if on_gpu { "gpu" } else { "cpu" },
         adapter: place.adapter,
+        precision: settings.precisions[usize::from(on_gpu)],
         scene,
         tolerance: settings.tolerance,
         measured: Measured::default(),

@@ -77,6 +77,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         input: input.to_string(),
         solver: args.solving.solver.name(),
         backend: if place.adapter.is_some() { "gpu" } else { "cpu" },
+        precision: args.solving.precision_name(place.adapter.is_some()),
         adapter: place.adapter,
         tolerance: args.solving.tolerance,
         scenes: done.scenes,

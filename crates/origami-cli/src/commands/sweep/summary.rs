@@ -126,6 +126,7 @@ mod tests {
             solver: "relax",
             backend: "cpu",
             adapter: None,
+            precision: "f64",
             tolerance: 1e-4,
             scenes: Vec::new(),
             instances: endings.iter().enumerate().map(row).collect(),

@@ -1,0 +1,78 @@
+//! Third pass of dynamics: sums the forces on every node and moves it (paper 2.5), masses 1.
+
+use super::bounds::{Bounds, Watch, moved};
+use super::gather::{gathered, rows};
+use super::isa::Pass;
+use super::lane::{Mesh, Num};
+use super::real::{Quad64, Real};
+use super::sheet::Sheet;
+
+/// `v += dt F`, `x += dt v` with the new v. True where all nodes are surely in bounds.
+pub(super) struct Euler<'a, R: Real> {
+    pub(super) sheet: &'a Sheet<R>,
+    pub(super) bounds: Bounds,
+    pub(super) forces: &'a [R::Quad],
+    pub(super) places: &'a mut [Quad64],
+    pub(super) velocities: &'a mut [R::Quad],
+    pub(super) time_step: f64,
+}
+
+impl<R: Real> Pass<R> for Euler<'_, R> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<L: Mesh<Real = R>>(self, lane: L) -> bool {
+        let mut watch = Watch::new(lane, self.bounds);
+        let time_step = Num::splat(lane.node(), self.time_step);
+        let nodes = rows(&self.sheet.rows, &self.sheet.slots).zip(self.places).zip(self.velocities);
+        for ((slots, place), velocity) in nodes {
+            let force = gathered(lane, slots, self.forces);
+            let new = force.mul_add(time_step, Num { lane: lane.node(), raw: lane.load_node(*velocity) });
+            *velocity = lane.store_node(new.raw);
+            let way = new * time_step;
+            watch.see(moved(lane, place, way), way);
+        }
+        watch.holds()
+    }
+}
+
+/// Velocity Verlet. The velocity that is stored, and that the damping acts on, is the one extrapolated by the acceleration
+/// before to the end of the step: so the error of the damping is of second order too.
+pub(super) struct Verlet<'a, R: Real> {
+    pub(super) sheet: &'a Sheet<R>,
+    pub(super) bounds: Bounds,
+    pub(super) forces: &'a [R::Quad],
+    pub(super) places: &'a mut [Quad64],
+    pub(super) velocities: &'a mut [R::Quad],
+    /// By node, those of the step before.
+    pub(super) accelerations: &'a mut [R::Quad],
+    pub(super) time_step: f64,
+    /// 0 in the first step.
+    pub(super) previous_step: f64,
+}
+
+impl<R: Real> Pass<R> for Verlet<'_, R> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<L: Mesh<Real = R>>(self, lane: L) -> bool {
+        let mut watch = Watch::new(lane, self.bounds);
+        let node = lane.node();
+        let time_step = Num::splat(node, self.time_step);
+        let half = Num::splat(node, 0.5 * self.time_step);
+        let half_previous = Num::splat(node, 0.5 * self.previous_step);
+        let nodes = rows(&self.sheet.rows, &self.sheet.slots).zip(self.places).zip(self.velocities);
+        for (((slots, place), velocity), acceleration) in nodes.zip(self.accelerations) {
+            let force = gathered(lane, slots, self.forces);
+            let before = Num { lane: node, raw: lane.load_node(*acceleration) };
+            let old = Num { lane: node, raw: lane.load_node(*velocity) };
+            let arrived = (force - before).mul_add(half_previous, old);
+            let midway = force.mul_add(half, arrived);
+            *velocity = lane.store_node(force.mul_add(half, midway).raw);
+            *acceleration = lane.store_node(force.raw);
+            let way = midway * time_step;
+            watch.see(moved(lane, place, way), way);
+        }
+        watch.holds()
+    }
+}

@@ -1,0 +1,76 @@
+//! What both solvers do around their steps: reading the kernel's state, watching it, and handing it over.
+
+use super::guard::{COPY_EVERY, Diverged, FARTHEST, Guard, LONGEST_MOVE};
+use super::settle::Settling;
+use super::{Folded, State, Stop, largest};
+use crate::forces::Forces;
+use crate::kernel::{Bounds, Compute, Kernel};
+use crate::model::Model;
+
+/// A sheet in motion. `state` is what was last read.
+pub(super) struct Motion<'m, R: Compute> {
+    pub(super) model: &'m Model,
+    pub(super) kernel: Kernel<R>,
+    pub(super) state: State,
+    pub(super) settling: Settling,
+    guard: Guard<'m>,
+}
+
+impl<'m, R: Compute> Motion<'m, R> {
+    /// From `state`, which came of `start`: what is handed back where it diverges at once.
+    pub(super) fn new(model: &'m Model, start: &State, state: State, tolerance: f64) -> Self {
+        let bounds = Bounds { farthest: FARTHEST, longest_move: LONGEST_MOVE };
+        Self {
+            model,
+            kernel: Kernel::new(model, bounds, &state.positions, &state.velocities, &state.fold_angles),
+            state,
+            settling: Settling::new(model, tolerance),
+            guard: Guard::new(model, start),
+        }
+    }
+
+    /// Takes note of an evaluation whose forces are those of the springs alone; true when the state has settled.
+    pub(super) fn settled(&mut self) -> bool {
+        let kernel = &self.kernel;
+        self.settling.observe(|positions, forces| {
+            kernel.read_positions(positions);
+            kernel.read_forces(forces);
+        })
+    }
+
+    /// After step `step`, which moved every node by about `time_step` times its velocity: an error where the state is
+    /// out of bounds, which `holds` says that it surely is not; now and then a copy of the state.
+    pub(super) fn check(&mut self, holds: bool, step: u64, time_step: f64) -> Result<(), Diverged> {
+        if holds && !step.is_multiple_of(COPY_EVERY) {
+            return Ok(());
+        }
+        self.read();
+        self.guard.check(step, &self.state, time_step)
+    }
+
+    pub(super) fn read_positions(&mut self) {
+        self.kernel.read_positions(&mut self.state.positions);
+    }
+
+    pub(super) fn read(&mut self) {
+        self.read_positions();
+        self.kernel.read_velocities(&mut self.state.velocities);
+        self.kernel.read_angles(&mut self.state.fold_angles);
+    }
+
+    /// The state that was last read, asked for `targets`; `end` gets it with its forces.
+    pub(super) fn into_folded(
+        mut self,
+        targets: Vec<f64>,
+        (percent, stop, steps, time_step): (f64, Stop, u64, f64),
+        end: impl FnOnce(&Kernel<R>, &mut State, &mut [glam::DVec3]),
+    ) -> Folded {
+        self.state.targets = targets;
+        let mut forces = Forces::new(self.model);
+        let values = forces.evaluate(&self.state.positions, &self.state.targets, &mut self.state.fold_angles);
+        let residual = largest(values);
+        end(&self.kernel, &mut self.state, values);
+        let distance = self.settling.distance();
+        Folded { state: self.state, percent, stop, steps, time_step, residual, distance, attempts: 1 }
+    }
+}

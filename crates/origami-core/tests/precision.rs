@@ -1,0 +1,57 @@
+//! Computing in f32 with places in f64 leads to the same equilibria as f64 throughout.
+
+use origami_core::generate::catalog;
+use origami_core::measure::align;
+use origami_core::solve::{Dynamics, Folded, Precision, Relax, Solver, State};
+use origami_core::{Material, Model};
+
+fn model(name: &str) -> Model {
+    Model::new(&catalog::generate(name, &[]).expect("a pattern"), &Material::default()).expect("a model")
+}
+
+/// The same sheet by both, the second from where the first ended: so that a sheet with several equilibria does not take
+/// another way in other numbers.
+fn both(model: &Model, percent: f64) -> [Folded; 2] {
+    let exact = Relax { tolerance: 1e-7, ..Relax::default() };
+    let mixed = Relax { precision: Precision::Mixed, tolerance: 1e-6, max_steps: 20_000, ..exact.clone() };
+    let exact = exact.fold_from_rest(model, percent).expect("holds");
+    let start = exact.state.clone();
+    let mixed = Relax { steps: Some(2000), ramp: Some(0), ..mixed }.fold(model, &start, percent, &mut |_| {});
+    [exact, mixed.expect("holds")]
+}
+
+#[test]
+fn a_folded_sheet_stays_where_it_is() {
+    for name in catalog::names() {
+        let model = model(name);
+        for percent in [60.0, 100.0] {
+            let [exact, mixed] = both(&model, percent);
+            let apart = align(&mixed.state.positions, &exact.state.positions).max;
+            assert!(apart < 1e-5, "{name} at {percent} %: {apart}");
+        }
+    }
+}
+
+#[test]
+fn the_way_from_rest_ends_at_the_same_place() {
+    for name in ["miura", "bird-base", "waterbomb"] {
+        let model = model(name);
+        let exact = Relax { tolerance: 1e-7, ..Relax::default() };
+        let mixed = Relax { precision: Precision::Mixed, tolerance: 1e-6, ..exact.clone() };
+        let [exact, mixed] = [exact, mixed].map(|relax| relax.fold_from_rest(&model, 60.0).expect("holds"));
+        let apart = align(&mixed.state.positions, &exact.state.positions).max;
+        assert!(apart < 1e-5, "{name}: {apart}");
+        assert_ne!(mixed.state.positions, exact.state.positions, "they were computed in the same numbers");
+    }
+}
+
+#[test]
+fn a_hundred_steps_of_motion_agree() {
+    let model = model("miura");
+    let [exact, mixed] = [Precision::F64, Precision::Mixed].map(|precision| {
+        let solver = Dynamics { precision, steps: Some(100), ..Dynamics::default() };
+        solver.fold(&model, &State::at_rest(&model), 60.0, &mut |_| {}).expect("holds").state
+    });
+    let apart = exact.positions.iter().zip(&mixed.positions).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+    assert!(apart > 0.0 && apart < 1e-6, "{apart}");
+}

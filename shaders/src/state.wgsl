@@ -85,6 +85,7 @@ struct Control {
     next_step: f32,
     damping_sum: f32,
     stiffest: atomic<u32>,
+    swiftest: atomic<u32>,
     // The last state that was good.
     farthest: atomic<u32>,
     fastest: atomic<u32>,

@@ -156,8 +156,8 @@ fn part(kernel: &Kernel, binding: Binding, variant: &Variant) -> Part {
         (Binding::Nodes, "faces") if !variant.damped() => halves(1, 0),
         (Binding::Nodes, "edges" | "row_sums") => halves(1, 0),
         (Binding::Nodes, "loose_beams") => Part { most: beams * 64, ..halves(2, 0) },
-        // Whether it is fixed.
-        (Binding::Nodes, "stiffest") => halves(u64::from(variant.fixed), 0),
+        // The velocity, and whether it is fixed.
+        (Binding::Nodes, "stiffest") => halves(1 + u64::from(variant.fixed), 0),
         // The force.
         (Binding::Nodes, "weigh") => halves(2, 1),
         (Binding::Nodes, "nodes" | "moves") => halves(2, 2),
@@ -229,7 +229,7 @@ mod tests {
         assert_eq!((nodes.read, nodes.written), (64 * n + 48 * t + 4 * (n + 1), 64 * n));
         assert_eq!(find("faces", 0.05).read, faces.read - 32 * n, "without damping no velocities");
         let memory =
-            128 + 64 * n + 16 * c + 24 * c + 60 * t + 48 * t + 4 * (n + 1) + 16 * t + 16 + 48 * n + 64 * n + 4 * c;
+            132 + 64 * n + 16 * c + 24 * c + 60 * t + 48 * t + 4 * (n + 1) + 16 * t + 16 + 48 * n + 64 * n + 4 * c;
         assert_eq!(traffic.memory(), memory);
         let two = PassTraffic { name: "two", per_step: 0.5, read: 60, written: 20 };
         let simple = Traffic { nodes: 4, buffers: Vec::new(), passes: vec![two, two] };

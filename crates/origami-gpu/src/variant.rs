@@ -1,7 +1,7 @@
 //! What a scene's pipelines are specialised to: which parts they are put together from, and which numbers are constants.
 
 use origami_core::model::{DEGENERATE, Material};
-use origami_core::solve::{fire, guard, relax, settle};
+use origami_core::solve::{fire, guard, relax, settle, time_step};
 use origami_shaders as wgsl;
 
 use crate::scene::Scene;
@@ -114,6 +114,8 @@ impl Variant {
             ("LONGEST_MOVE", guard::LONGEST_MOVE),
             ("GOOD_POSITION", guard::GOOD_POSITION),
             ("GOOD_MOVE", guard::GOOD_MOVE),
+            ("SAFE_MOVE", time_step::SAFE_MOVE),
+            ("SAFE_GROWTH", time_step::SAFE_GROWTH),
             ("FIRE_RENEWAL", fire::RENEWAL as f64),
             ("LONGEST_STEP", fire::LONGEST_STEP),
             ("SHORTEST_STEP", fire::SHORTEST_STEP),

@@ -174,8 +174,10 @@ impl Clock {
 
     fn step<R: Compute>(&mut self, motion: &mut Motion<'_, R>, steps: u64) -> f64 {
         if self.rule == TimeStep::Safe && steps.is_multiple_of(RENEWAL) {
-            motion.read_positions();
-            self.dt = time_step::safe(motion.model, &motion.state.positions, self.integrator);
+            motion.read();
+            let safe = time_step::safe(motion.model, &motion.state.positions, self.integrator);
+            let swiftest = motion.state.velocities.iter().map(|v| v.length_squared()).fold(0.0, f64::max).sqrt();
+            self.dt = time_step::renewed(safe, swiftest, (steps > 0).then_some(self.dt));
         }
         self.dt
     }

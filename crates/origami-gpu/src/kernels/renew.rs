@@ -17,6 +17,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
 
 #[cfg(test)]
 mod tests {
+    use origami_core::glam::DVec3;
     use origami_core::solve::{Integrator, time_step};
 
     use super::super::{edges, faces, row_sums, stiffest};
@@ -52,7 +53,26 @@ mod tests {
             stiffer.model.beams.iter_mut().for_each(|b| b.stiffness *= 1.01);
             stiffer.model.creases.iter_mut().for_each(|c| c.stiffness *= 1.01);
             assert!(off(&stiffer, control.next_step, integrator) > TOLERANCE, "{}: it is seen", case.name);
-            assert_eq!(control.stiffest, 0, "ready for the next time");
+            assert_eq!((control.stiffest, control.swiftest), (0, 0), "ready for the next time");
+        }
+    }
+
+    #[test]
+    fn it_shrinks_for_swift_nodes_and_grows_slowly() {
+        let Some(gpu) = gpu() else { return };
+        let mut case = held(&cases()[0]);
+        for velocity in [0.01, 50.0, 3e4] {
+            case.state.velocities.iter_mut().for_each(|v| *v = DVec3::Y * velocity);
+            for (step, before) in [(0, 1e-9), (20, 1e-9), (20, 1.0)] {
+                let bench = Bench::new(&gpu, &case, EULER);
+                bench.run(&bench.with_loose(&[&edges::KERNEL, &faces::KERNEL]), false);
+                bench.change_control(|c| (c.step, c.next_step) = (step, before));
+                bench.run(&[&row_sums::KERNEL, &stiffest::KERNEL, &KERNEL], false);
+                let safe = time_step::safe(&case.model, &case.state.positions, Integrator::Euler);
+                let want = time_step::renewed(safe, velocity, (step > 0).then_some(f64::from(before)));
+                let found = f64::from(bench.control().next_step);
+                assert!((found / want - 1.0).abs() < TOLERANCE, "{velocity}, {step}, {before}: {found}, not {want}");
+            }
         }
     }
 }

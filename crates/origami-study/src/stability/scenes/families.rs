@@ -62,7 +62,7 @@ fn materials() -> Vec<Scene> {
     }
     for k in [0.0, 1e-4, 1e-2, 1.0, 10.0, 1e2, 1e3, 1e4, 1e5] {
         let quick = [0.0, 1e5].contains(&k);
-        add("k_fold", "k_fold", k, Material { k_fold: k, ..default }, [0.0, 1e3].contains(&k));
+        add("k_fold", "k_fold", k, Material { k_fold: k, ..default }, quick);
         add("k_facet", "k_facet", k, Material { k_facet: k, ..default }, quick);
         add("k_face", "k_face", k, Material { k_face: k, ..default }, quick);
     }

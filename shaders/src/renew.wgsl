@@ -2,7 +2,7 @@
 // what takes the swiftest node SAFE_MOVE far, and little longer than the one before.
 
 override SAFE_MOVE: f32 = 0.1;
-override SAFE_GROWTH: f32 = 1.05;
+override SAFE_GROWTH: f32 = 1.025;
 
 @compute @workgroup_size(1)
 fn renew(@builtin(workgroup_id) id: vec3<u32>) {

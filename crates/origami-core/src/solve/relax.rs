@@ -11,7 +11,7 @@ use crate::model::{Inventory, Model};
 /// The ramp stops while a crease turns by more than this in one evaluation, in radians.
 pub const HOLD: f64 = 0.1;
 /// The default ramp up to 300 nodes. Half of all sheets are within 1e-4 radii of the equilibrium 80 evaluations after its
-/// end, so that it is most of the cost; no more sheets end higher than with 1000, once tangled ones are folded again.
+/// end, so that it is most of the cost; once tangled sheets are folded again, as many end tangled or higher as with 1000.
 const RAMP: f64 = 400.0;
 /// The same for a second attempt, which may take its time; the third is a jump, which goes another way altogether.
 const SECOND_RAMP: f64 = 3000.0;

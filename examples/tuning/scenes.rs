@@ -73,15 +73,15 @@ const VARIATIONS: &[(&str, &str)] = &[
 ];
 
 /// A sheet to be folded.
-pub struct Scene {
-    pub name: String,
-    pub model: Model,
+pub(crate) struct Scene {
+    pub(crate) name: String,
+    pub(crate) model: Model,
     /// Whether its material is the default.
-    pub plain: bool,
+    pub(crate) plain: bool,
 }
 
 /// All sheets: generated ones, those of `files`, and the smaller of either with soft facets and with stiff creases.
-pub fn all(files: &[String]) -> Result<Vec<Scene>, Box<dyn Error>> {
+pub(crate) fn all(files: &[String]) -> Result<Vec<Scene>, Box<dyn Error>> {
     let mut patterns = Vec::new();
     for name in catalog::names() {
         patterns.push(((*name).to_owned(), true, catalog::generate(name, &[])?));

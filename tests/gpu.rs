@@ -316,7 +316,7 @@ fn progress_is_told_in_order() {
     let folded = solver.fold(&model, &start(&model), 50.0, &mut |progress| told.push(progress)).expect("it holds");
     assert!(told.len() > 5, "{} reports", told.len());
     assert!(told.windows(2).all(|pair| pair[0].step <= pair[1].step && pair[0].ramp <= pair[1].ramp));
-    assert!(told[0].distance.is_infinite() && told[0].ramp < 0.2);
+    assert!(told[0].distance.is_infinite() && told[0].ramp < 0.5);
     let last = told[told.len() - 1];
     assert!(last.step <= folded.steps && last.ramp == 1.0 && last.distance < 1e-4, "{last:?}");
 }

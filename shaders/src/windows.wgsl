@@ -1,6 +1,6 @@
 // The stopping rule's memory: where the nodes were, and what pulled them, when its window began.
 
-override WINDOWS: u32 = 3u;
+override WINDOWS: u32 = 5u;
 override SHARE: f32 = 0.3;
 override SMALL_SHARE: f32 = 0.03;
 override LEAST_TICKS: u32 = 8u;

@@ -114,7 +114,7 @@ pub(crate) struct FoldArgs {
     #[command(flatten)]
     pub(crate) solving: SolvingArgs,
 
-    /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.003]
+    /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.01]
     ///
     /// A symmetric sheet would else stay on the saddle between two ways to buckle. Larger: saddles are left sooner. So too
     /// with newton, which begins with relax.
@@ -172,7 +172,7 @@ pub(crate) struct SolvingArgs {
     #[arg(long, value_name = "N")]
     pub(crate) steps: Option<u64>,
 
-    /// Steps over which the fold angles rise; 0 is a jump [default: dynamics 0; relax 1000, more above 300 vertices,
+    /// Steps over which the fold angles rise; 0 is a jump [default: dynamics 0; relax 400, more above 300 vertices,
     /// shared by the stages]
     #[arg(long, value_name = "N")]
     pub(crate) ramp: Option<u32>,

@@ -46,7 +46,7 @@ Exit codes:
     mut_arg("max_steps", |arg| arg.help("Steps after which to give up; all attempts together")),
     mut_arg("steps", |arg| arg.help("Run exactly N steps, converged or not")),
     mut_arg("ramp", |arg| {
-        let defaults = "[default: dynamics 0; relax 1000, more above 300 vertices]";
+        let defaults = "[default: dynamics 0; relax 400, more above 300 vertices]";
         arg.help(format!("Steps over which the fold angles rise; 0 is a jump {defaults}"))
     })
 )]
@@ -89,7 +89,7 @@ pub(crate) struct SweepArgs {
     pub(crate) solving: SolvingArgs,
 
     /// How far each vertex is moved at the start, as a share of its shortest beam; 0 is not at all [default: relax
-    /// and newton 0.003, dynamics 0]
+    /// and newton 0.01, dynamics 0]
     ///
     /// Nothing is moved where nothing is to be folded.
     #[arg(long, value_name = "LIST", value_parser = |text: &str| List::parse(text, share), help_heading = "Solver")]

@@ -5,8 +5,9 @@ use glam::DVec3;
 use super::row_sums::soft_sums;
 use crate::model::Model;
 
-/// Successive windows that must all look settled.
-pub const WINDOWS: u32 = 3;
+/// Successive windows that must all look settled: with 3 in place of 5, 14 of 665 claims were wrong in place
+/// of 8, for 3 % fewer evaluations.
+pub const WINDOWS: u32 = 5;
 /// Each must estimate less than this share of the tolerance.
 pub const SHARE: f64 = 0.3;
 /// One that estimates less than this share counts as two.

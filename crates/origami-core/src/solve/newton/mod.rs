@@ -43,7 +43,7 @@ pub struct Newton {
     /// Without `relax`, how many increments the way to the target angles is first divided into; each is halved where it
     /// turns out too long, and the next is longer where it was easy. Default 10.
     pub increments: u32,
-    /// Without `relax`, how far each node is moved at the start, as [`Relax::perturbation`]. Default 3e-3.
+    /// Without `relax`, how far each node is moved at the start, as [`Relax::perturbation`]. Default 1e-2.
     pub perturbation: f64,
     /// Factorisations after which it gives up. Default 2000.
     pub max_factorisations: u32,

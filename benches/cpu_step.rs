@@ -1,10 +1,12 @@
-//! Time of one step on the CPU, one thread: Miura sheets of about 100 to 100 000 nodes on their way to 60 %, default
-//! material. All start 200 steps after the jump from flat, in which creases turn so fast that angles cost more.
+//! Time of one step on the CPU, on one thread and on all: Miura sheets of about 100 to 100 000 nodes on their way to 60 %,
+//! default material. All start 200 steps after the jump from flat, in which creases turn so fast that angles cost more.
 //!
 //! Measured: [`Dynamics`] (springs, damping, Euler) and [`Relax`] (springs, the sums and moves of FIRE, its masses every 50
 //! steps), in f64 and mixed, with what the processor's best instructions are; and, for comparison in the same run, the plain
-//! scalar step: the formulas of [`forces`] one after the other. Criterion's `elem/s` are nodes times steps per second; 1 / that is the time per node and step. The group `build`
-//! measures what comes before the first step, per node. Reading and writing files is not measured.
+//! scalar step: the formulas of [`origami::forces`] one after the other. What is named after a number of threads is shared
+//! out among them, as far as that is faster: `RAYON_NUM_THREADS` sets their number. Criterion's `elem/s` are nodes times
+//! steps per second; 1 / that is the time per node and step. The group `build` measures what comes before the first step,
+//! per node. Reading and writing files is not measured.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -13,12 +15,15 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use origami::export::crease_pattern_document;
 use origami::fold::Frame;
 use origami::forces::{Forces, damping};
+use origami::solve::threads::NODES_A_THREAD;
 use origami::solve::{Precision, time_step};
 use origami::{CreasePattern, Dynamics, Material, Model, Relax, Solver, State, generate};
 
 fn cpu_step(c: &mut Criterion) {
     let mut group = c.benchmark_group("cpu_step");
     group.sample_size(10).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(4));
+    let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let threads = rayon::current_num_threads();
     for panels in [9, 31, 99, 315] {
         let pattern = generate::miura(panels, panels).expect("valid");
         let model = Model::new(&pattern, &Material::default()).expect("a generated pattern");
@@ -38,9 +43,15 @@ fn cpu_step(c: &mut Criterion) {
             ];
             for (name, solver) in solvers {
                 let name = format!("{name}/{}", precision.name());
-                group.bench_function(BenchmarkId::new(name, nodes), |b| {
-                    b.iter(|| black_box(solver.fold(&model, &start, 60.0, &mut |_| {}).expect("holds")));
+                let fold = || solver.fold(&model, &start, 60.0, &mut |_| {}).expect("holds");
+                group.bench_function(BenchmarkId::new(&name, nodes), |b| {
+                    alone.install(|| b.iter(|| black_box(fold())));
                 });
+                // Smaller ones have one thread anyway.
+                if threads > 1 && nodes >= 2 * NODES_A_THREAD as u64 {
+                    let name = format!("{name}/{threads} threads");
+                    group.bench_function(BenchmarkId::new(name, nodes), |b| b.iter(|| black_box(fold())));
+                }
             }
         }
     }

@@ -102,7 +102,10 @@ pub(crate) struct FoldArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) report: Option<PathBuf>,
 
-    /// How many inputs to fold at once [default: as many as there are processors]
+    /// How many threads to fold with [default: as many as there are processors]
+    ///
+    /// One input is shared out among them if it is large and that is faster; of several, each takes one. Outputs do not
+    /// depend on it.
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<NonZeroUsize>,
 

@@ -51,6 +51,25 @@ fn nothing_depends_on_the_number_of_threads() {
 }
 
 #[test]
+fn a_sheet_shared_out_is_the_same() {
+    let place = Place::new();
+    // Of 2 601 nodes: as many threads as are asked for, up to five; and one less than two threads share.
+    for (size, nodes) in [("--set columns=50 --set rows=50", 2601), ("--set columns=32 --set rows=30", 1023)] {
+        place.run(&format!("pattern miura {size} -o miura.fold")).succeeds();
+        for method in ["relax", "dynamics --integrator euler", "dynamics --integrator verlet"] {
+            for precision in ["f64", "mixed"] {
+                let words = format!("fold miura.fold -o out.fold --solver {method} --precision {precision} --steps 60");
+                let [one, others @ ..] = [1, 2, 3, 5].map(|threads| {
+                    place.run(&format!("{words} --threads {threads}"));
+                    place.text("out.fold")
+                });
+                assert!(others.iter().all(|other| *other == one), "{nodes} nodes, {method}, {precision}");
+            }
+        }
+    }
+}
+
+#[test]
 fn one_bad_input_does_not_stop_the_others_and_the_most_severe_counts() {
     let place = place_with(2);
     place.put("bad.fold", "{");

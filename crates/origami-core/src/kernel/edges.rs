@@ -1,16 +1,19 @@
 //! First pass: the fold angle of every crease and the moment of its spring (paper 2.3).
 
 use super::angle::{angle_of, unwrapped};
+use super::isa::Compute;
 use super::isa::Pass;
 use super::lane::{Mesh, Num, Vec3};
 use super::real::{Quad64, Real};
-use super::sheet::Sheet;
+use super::share::Cut;
 use crate::model::DEGENERATE;
 
 /// Writes angles and moments; the result is the most by which a crease turned, in radians.
 pub(super) struct Edges<'a, R: Real> {
-    pub(super) sheet: &'a Sheet<R>,
     pub(super) places: &'a [Quad64],
+    /// By chunk: apexes and ends.
+    pub(super) hinges: &'a [u32],
+    pub(super) stiffness: &'a [R],
     pub(super) targets: &'a [R],
     pub(super) angles: &'a mut [R],
     pub(super) moments: &'a mut [R],
@@ -22,9 +25,9 @@ impl<R: Real> Pass<R> for Edges<'_, R> {
     #[inline(always)]
     fn run<L: Mesh<Real = R>>(self, lane: L) -> f64 {
         let mut most = Num::splat(lane, 0.0);
-        let springs = self.sheet.stiffness.chunks_exact(L::WIDTH).zip(self.targets.chunks_exact(L::WIDTH));
+        let springs = self.stiffness.chunks_exact(L::WIDTH).zip(self.targets.chunks_exact(L::WIDTH));
         let states = self.angles.chunks_exact_mut(L::WIDTH).zip(self.moments.chunks_exact_mut(L::WIDTH));
-        let hinges = self.sheet.hinges.chunks_exact(4 * L::WIDTH);
+        let hinges = self.hinges.chunks_exact(4 * L::WIDTH);
         for ((nodes, (stiffness, target)), (angles, moments)) in hinges.zip(springs).zip(states) {
             let previous = Num::load(lane, angles);
             let (stiffness, target) = (Num::load(lane, stiffness), Num::load(lane, target));
@@ -36,6 +39,33 @@ impl<R: Real> Pass<R> for Edges<'_, R> {
         let mut each = [R::default(); 16];
         most.store(&mut each);
         each.iter().map(|turn| turn.to_f64()).fold(0.0, f64::max)
+    }
+}
+
+impl<R: Compute> Cut<R> for Edges<'_, R> {
+    fn elements(&self) -> usize {
+        self.stiffness.len()
+    }
+
+    fn cut(self, at: usize) -> (Self, Self) {
+        let (hinges, other_hinges) = self.hinges.split_at(4 * at);
+        let (stiffness, other_stiffness) = self.stiffness.split_at(at);
+        let (targets, other_targets) = self.targets.split_at(at);
+        let (angles, other_angles) = self.angles.split_at_mut(at);
+        let (moments, other_moments) = self.moments.split_at_mut(at);
+        let other = Self {
+            places: self.places,
+            hinges: other_hinges,
+            stiffness: other_stiffness,
+            targets: other_targets,
+            angles: other_angles,
+            moments: other_moments,
+        };
+        (Self { places: self.places, hinges, stiffness, targets, angles, moments }, other)
+    }
+
+    fn both(one: f64, other: f64) -> f64 {
+        one.max(other)
     }
 }
 

@@ -6,9 +6,10 @@
 //! face's forces sum to zero.
 
 use super::angle::small_angle_of;
-use super::isa::Pass;
+use super::isa::{Compute, Pass};
 use super::lane::{Lane, Mesh, Num, Vec3};
 use super::real::{Quad64, Real};
+use super::share::Cut;
 use super::sheet::Sheet;
 
 /// Writes the forces on the three corners of each face.
@@ -18,6 +19,9 @@ pub(super) struct Faces<'a, R: Real> {
     /// Empty: no damping.
     pub(super) velocities: &'a [R::Quad],
     pub(super) moments: &'a [R],
+    /// Its first face.
+    pub(super) first: usize,
+    /// Of these faces alone.
     pub(super) slots: &'a mut [R::Quad],
 }
 
@@ -26,17 +30,30 @@ impl<R: Real> Pass<R> for Faces<'_, R> {
 
     #[inline(always)]
     fn run<L: Mesh<Real = R>>(self, lane: L) {
-        let Self { sheet, places, velocities, moments, slots } = self;
-        let corners = sheet.corners.chunks_exact(3 * L::WIDTH);
+        let Self { sheet, places, velocities, moments, first, slots } = self;
+        let corners = sheet.corners[3 * first..].chunks_exact(3 * L::WIDTH);
         let input = Input { sheet, places, velocities, moments };
         let slots = slots.chunks_exact_mut(3 * L::WIDTH);
-        for (chunk, (corners, slots)) in corners.zip(slots).enumerate() {
+        for (chunk, (corners, slots)) in (first / L::WIDTH..).zip(corners.zip(slots)) {
             let forces = input.face(lane, chunk, corners);
             for (i, force) in forces.iter().enumerate() {
                 lane.spread(force.raw(), &mut slots[i * L::WIDTH..][..L::WIDTH]);
             }
         }
     }
+}
+
+impl<R: Compute> Cut<R> for Faces<'_, R> {
+    fn elements(&self) -> usize {
+        self.slots.len() / 3
+    }
+
+    fn cut(self, at: usize) -> (Self, Self) {
+        let (slots, others) = self.slots.split_at_mut(3 * at);
+        (Self { slots, ..self }, Self { first: self.first + at, slots: others, ..self })
+    }
+
+    fn both((): (), (): ()) {}
 }
 
 /// Fields of a chunk.

@@ -18,7 +18,9 @@ mod loose_beams;
 mod moves;
 mod nodes;
 mod real;
+mod share;
 mod sheet;
+mod team;
 mod weigh;
 
 #[cfg(test)]
@@ -40,12 +42,14 @@ use moves::Moves;
 use nodes::{Euler, Verlet};
 use real::{Quad64, Real};
 use sheet::Sheet;
-use weigh::Weigh;
+use team::Team;
+use weigh::{BLOCK, Weigh};
 
 /// A sheet in motion.
 #[derive(Clone, Debug)]
 pub(crate) struct Kernel<R: Compute> {
     isa: Isa,
+    team: Team,
     bounds: Bounds,
     sheet: Sheet<R>,
     places: Vec<Quad64>,
@@ -58,22 +62,26 @@ pub(crate) struct Kernel<R: Compute> {
     slots: Vec<R::Quad>,
     /// By node: forces, or the accelerations of the step before; empty until they are asked for.
     forces: Vec<R::Quad>,
+    /// By block of nodes, of a relaxation.
+    sums: Vec<Sums>,
 }
 
 impl<R: Compute> Kernel<R> {
-    /// `model` with its nodes at `positions`, moving at `velocities`, its creases at `angles`.
+    /// `model` with its nodes at `positions`, moving at `velocities`, its creases at `angles`. `threads` of
+    /// this thread's pool share the passes, as long as that is faster.
     pub(crate) fn new(
         model: &Model,
         bounds: Bounds,
         positions: &[DVec3],
         velocities: &[DVec3],
         angles: &[f64],
+        threads: usize,
     ) -> Self {
-        Self::with(Isa::best(), model, bounds, positions, velocities, angles)
+        Self::with((Isa::best(), threads), model, bounds, positions, velocities, angles)
     }
 
     fn with(
-        isa: Isa,
+        (isa, threads): (Isa, usize),
         model: &Model,
         bounds: Bounds,
         positions: &[DVec3],
@@ -92,6 +100,7 @@ impl<R: Compute> Kernel<R> {
         angles.resize(creases, R::default());
         Self {
             isa,
+            team: Team::new(threads),
             bounds,
             places,
             velocities,
@@ -100,6 +109,7 @@ impl<R: Compute> Kernel<R> {
             moments: vec![R::default(); creases],
             slots: vec![R::Quad::default(); sheet.slot_count()],
             forces: Vec::new(),
+            sums: Vec::new(),
             sheet,
         }
     }
@@ -113,11 +123,12 @@ impl<R: Compute> Kernel<R> {
 
     /// First pass; the result is the most by which a crease turned since the last, in radians.
     pub(crate) fn edges(&mut self) -> f64 {
+        self.team.step();
         if self.sheet.stiffness.is_empty() {
             return 0.0;
         }
-        let Self { sheet, places, targets, angles, moments, .. } = self;
-        R::run(self.isa, Edges { sheet, places, targets, angles, moments })
+        let Self { sheet: Sheet { hinges, stiffness, .. }, places, targets, angles, moments, .. } = self;
+        share::run::<R, _>(self.isa, Edges { places, hinges, stiffness, targets, angles, moments }, self.team.parts())
     }
 
     /// Second pass: forces of all springs, and of the damping if `damped`.
@@ -125,7 +136,7 @@ impl<R: Compute> Kernel<R> {
         let Self { sheet, places, moments, .. } = self;
         let velocities = if damped && sheet.damped { &self.velocities[..] } else { &[] };
         let (slots, loose) = self.slots.split_at_mut(sheet.corners.len());
-        R::run(self.isa, Faces { sheet, places, velocities, moments, slots });
+        share::run::<R, _>(self.isa, Faces { sheet, places, velocities, moments, first: 0, slots }, self.team.parts());
         if !loose.is_empty() {
             R::run(self.isa, LooseBeams { sheet, places, velocities, slots: loose });
         }
@@ -135,28 +146,34 @@ impl<R: Compute> Kernel<R> {
     pub(crate) fn euler(&mut self, time_step: f64) -> bool {
         let nodes = self.sheet.nodes;
         let (places, velocities) = (&mut self.places[..nodes], &mut self.velocities[..nodes]);
-        let (sheet, forces) = (&self.sheet, &self.slots[..]);
-        R::run(self.isa, Euler { sheet, bounds: self.bounds, forces, places, velocities, time_step })
+        let Self { sheet: Sheet { rows, slots, .. }, slots: forces, bounds, .. } = self;
+        share::run::<R, _>(
+            self.isa,
+            Euler { bounds: *bounds, rows, slots, forces, places, velocities, time_step },
+            self.team.parts(),
+        )
     }
 
     /// Third pass of dynamics, second order. False where a node may be out of bounds.
     pub(crate) fn verlet(&mut self, time_step: f64, previous_step: f64) -> bool {
         let nodes = self.sheet.nodes;
         self.forces.resize(nodes, R::Quad::default());
-        let Self { sheet, slots: forces, forces: accelerations, bounds, .. } = self;
+        let Self { sheet: Sheet { rows, slots, .. }, slots: forces, forces: accelerations, bounds, .. } = self;
         let (places, velocities) = (&mut self.places[..nodes], &mut self.velocities[..nodes]);
-        let pass =
-            Verlet { sheet, bounds: *bounds, forces, places, velocities, accelerations, time_step, previous_step };
-        R::run(self.isa, pass)
+        let bounds = *bounds;
+        let pass = Verlet { bounds, rows, slots, forces, places, velocities, accelerations, time_step, previous_step };
+        share::run::<R, _>(self.isa, pass, self.team.parts())
     }
 
     /// Third pass of a relaxation; `masses` are by node, with their inverses.
     pub(crate) fn weigh(&mut self, masses: &[[f64; 2]]) -> Sums {
         let nodes = self.sheet.nodes;
         self.forces.resize(nodes, R::Quad::default());
-        let Self { sheet, slots: forces, forces: sums, .. } = self;
+        self.sums.resize(nodes.div_ceil(BLOCK), Sums::default());
+        let Self { sheet: Sheet { rows, slots, .. }, slots: forces, forces: kept, sums, .. } = self;
         let velocities = &self.velocities[..nodes];
-        R::run(self.isa, Weigh { sheet, forces, velocities, masses, sums })
+        share::run::<R, _>(self.isa, Weigh { rows, slots, forces, velocities, masses, kept, sums }, self.team.parts());
+        Sums::of(&self.sums)
     }
 
     /// Last pass of a relaxation. False where a node may be out of bounds.
@@ -164,7 +181,8 @@ impl<R: Compute> Kernel<R> {
         let nodes = self.sheet.nodes;
         let Self { forces, bounds, .. } = self;
         let (places, velocities) = (&mut self.places[..nodes], &mut self.velocities[..nodes]);
-        R::run(self.isa, Moves { decision, bounds: *bounds, forces, masses, places, velocities })
+        let pass = Moves { decision, bounds: *bounds, forces, masses, places, velocities };
+        share::run::<R, _>(self.isa, pass, self.team.parts())
     }
 
     /// Where the nodes are.

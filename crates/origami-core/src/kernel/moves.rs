@@ -1,9 +1,10 @@
 //! Last pass of a relaxation: moves every node as was decided.
 
 use super::bounds::{Bounds, Watch, moved};
-use super::isa::Pass;
+use super::isa::{Compute, Pass};
 use super::lane::{Mesh, Num};
 use super::real::{Quad64, Real};
+use super::share::Cut;
 
 /// How the velocities change and the nodes move.
 #[derive(Clone, Copy, Debug)]
@@ -47,5 +48,30 @@ impl<R: Real> Pass<R> for Moves<'_, R> {
             watch.see(moved(lane, place, old.mul_add(back, way)), way);
         }
         watch.holds()
+    }
+}
+
+impl<R: Compute> Cut<R> for Moves<'_, R> {
+    fn elements(&self) -> usize {
+        self.places.len()
+    }
+
+    fn cut(self, at: usize) -> (Self, Self) {
+        let (forces, other_forces) = self.forces.split_at(at);
+        let (masses, other_masses) = self.masses.split_at(at);
+        let (places, other_places) = self.places.split_at_mut(at);
+        let (velocities, other_velocities) = self.velocities.split_at_mut(at);
+        let other = Self {
+            forces: other_forces,
+            masses: other_masses,
+            places: other_places,
+            velocities: other_velocities,
+            ..self
+        };
+        (Self { forces, masses, places, velocities, ..self }, other)
+    }
+
+    fn both(one: bool, other: bool) -> bool {
+        one && other
     }
 }

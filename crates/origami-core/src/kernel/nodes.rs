@@ -2,15 +2,17 @@
 
 use super::bounds::{Bounds, Watch, moved};
 use super::gather::{gathered, rows};
-use super::isa::Pass;
+use super::isa::{Compute, Pass};
 use super::lane::{Mesh, Num};
 use super::real::{Quad64, Real};
-use super::sheet::Sheet;
+use super::share::Cut;
 
 /// `v += dt F`, `x += dt v` with the new v. True where all nodes are surely in bounds.
 pub(super) struct Euler<'a, R: Real> {
-    pub(super) sheet: &'a Sheet<R>,
     pub(super) bounds: Bounds,
+    /// The first slot of each node, and the end of the last.
+    pub(super) rows: &'a [u32],
+    pub(super) slots: &'a [u32],
     pub(super) forces: &'a [R::Quad],
     pub(super) places: &'a mut [Quad64],
     pub(super) velocities: &'a mut [R::Quad],
@@ -24,7 +26,7 @@ impl<R: Real> Pass<R> for Euler<'_, R> {
     fn run<L: Mesh<Real = R>>(self, lane: L) -> bool {
         let mut watch = Watch::new(lane, self.bounds);
         let time_step = Num::splat(lane.node(), self.time_step);
-        let nodes = rows(&self.sheet.rows, &self.sheet.slots).zip(self.places).zip(self.velocities);
+        let nodes = rows(self.rows, self.slots).zip(self.places).zip(self.velocities);
         for ((slots, place), velocity) in nodes {
             let force = gathered(lane, slots, self.forces);
             let new = force.mul_add(time_step, Num { lane: lane.node(), raw: lane.load_node(*velocity) });
@@ -36,11 +38,30 @@ impl<R: Real> Pass<R> for Euler<'_, R> {
     }
 }
 
+impl<R: Compute> Cut<R> for Euler<'_, R> {
+    fn elements(&self) -> usize {
+        self.places.len()
+    }
+
+    fn cut(self, at: usize) -> (Self, Self) {
+        let (places, other_places) = self.places.split_at_mut(at);
+        let (velocities, other_velocities) = self.velocities.split_at_mut(at);
+        let other = Self { rows: &self.rows[at..], places: other_places, velocities: other_velocities, ..self };
+        (Self { places, velocities, ..self }, other)
+    }
+
+    fn both(one: bool, other: bool) -> bool {
+        one && other
+    }
+}
+
 /// Velocity Verlet. The velocity that is stored, and that the damping acts on, is the one extrapolated by the acceleration
 /// before to the end of the step: so the error of the damping is of second order too.
 pub(super) struct Verlet<'a, R: Real> {
-    pub(super) sheet: &'a Sheet<R>,
     pub(super) bounds: Bounds,
+    /// The first slot of each node, and the end of the last.
+    pub(super) rows: &'a [u32],
+    pub(super) slots: &'a [u32],
     pub(super) forces: &'a [R::Quad],
     pub(super) places: &'a mut [Quad64],
     pub(super) velocities: &'a mut [R::Quad],
@@ -61,7 +82,7 @@ impl<R: Real> Pass<R> for Verlet<'_, R> {
         let time_step = Num::splat(node, self.time_step);
         let half = Num::splat(node, 0.5 * self.time_step);
         let half_previous = Num::splat(node, 0.5 * self.previous_step);
-        let nodes = rows(&self.sheet.rows, &self.sheet.slots).zip(self.places).zip(self.velocities);
+        let nodes = rows(self.rows, self.slots).zip(self.places).zip(self.velocities);
         for (((slots, place), velocity), acceleration) in nodes.zip(self.accelerations) {
             let force = gathered(lane, slots, self.forces);
             let before = Num { lane: node, raw: lane.load_node(*acceleration) };
@@ -74,5 +95,29 @@ impl<R: Real> Pass<R> for Verlet<'_, R> {
             watch.see(moved(lane, place, way), way);
         }
         watch.holds()
+    }
+}
+
+impl<R: Compute> Cut<R> for Verlet<'_, R> {
+    fn elements(&self) -> usize {
+        self.places.len()
+    }
+
+    fn cut(self, at: usize) -> (Self, Self) {
+        let (places, other_places) = self.places.split_at_mut(at);
+        let (velocities, other_velocities) = self.velocities.split_at_mut(at);
+        let (accelerations, other_accelerations) = self.accelerations.split_at_mut(at);
+        let other = Self {
+            rows: &self.rows[at..],
+            places: other_places,
+            velocities: other_velocities,
+            accelerations: other_accelerations,
+            ..self
+        };
+        (Self { places, velocities, accelerations, ..self }, other)
+    }
+
+    fn both(one: bool, other: bool) -> bool {
+        one && other
     }
 }

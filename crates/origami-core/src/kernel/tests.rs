@@ -6,7 +6,7 @@ use std::time::Instant;
 use glam::DVec3;
 
 use super::isa::{Compute, Isa};
-use super::{Bounds, Kernel};
+use super::{Bounds, Decision, Kernel};
 use crate::forces::{Forces, damping};
 use crate::generate::catalog;
 use crate::ids::VertexId;
@@ -58,7 +58,12 @@ impl Scene {
     }
 
     fn kernel<R: Compute>(&self, isa: Isa) -> Kernel<R> {
-        let mut kernel = Kernel::<R>::with(isa, &self.model, BOUNDS, &self.positions, &self.velocities, &self.angles);
+        self.shared(isa, 1)
+    }
+
+    fn shared<R: Compute>(&self, isa: Isa, threads: usize) -> Kernel<R> {
+        let mut kernel =
+            Kernel::<R>::with((isa, threads), &self.model, BOUNDS, &self.positions, &self.velocities, &self.angles);
         kernel.aim(&self.targets);
         kernel
     }
@@ -245,6 +250,51 @@ fn a_hundred_steps_agree_and_do_not_depend_on_the_width() {
     }
 }
 
+/// The bits of what a kernel does, step by step, its passes cut into so many parts.
+fn bits<R: Compute>(scene: &Scene, parts: usize, verlet: bool) -> (Vec<DVec3>, Vec<f64>, Vec<f64>) {
+    let mut kernel = scene.shared::<R>(Isa::best(), parts);
+    kernel.team = super::Team::steady(parts);
+    let masses = vec![[2.0, 0.5]; scene.positions.len()];
+    let (mut positions, mut angles, mut told) = (Vec::new(), scene.angles.clone(), Vec::new());
+    for _ in 0..3 {
+        told.push(kernel.edges());
+        kernel.faces(true);
+        assert!(if verlet { kernel.verlet(1e-4, 1e-4) } else { kernel.euler(1e-4) }, "out of bounds");
+    }
+    for _ in 0..3 {
+        kernel.edges();
+        kernel.faces(false);
+        let sums = kernel.weigh(&masses);
+        told.extend([sums.power, sums.speed, sums.pull]);
+        assert!(kernel.moves(&masses, Decision { step: 1e-4, keep: 0.9, towards_force: 1e-4, back: 1e-5 }));
+    }
+    kernel.read_positions(&mut positions);
+    kernel.read_angles(&mut angles);
+    (positions, angles, told)
+}
+
+#[test]
+fn where_a_pass_is_cut_changes_no_bit() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool");
+    let small = Scene::new(odd_sheet(), 1, 1e-3);
+    let large = crate::generate::miura(58, 53).expect("valid");
+    let mut large = Scene::new(Model::new(&large, &Material::default()).expect("a model"), 1, 1e-4);
+    assert!(large.positions.len() > 3 * 1024, "several blocks of sums");
+    large.velocities.iter_mut().for_each(|v| *v *= 0.1);
+    for scene in [small, large] {
+        for verlet in [false, true] {
+            let (exact, mixed) = (bits::<f64>(&scene, 1, verlet), bits::<f32>(&scene, 1, verlet));
+            assert!(exact.0 != scene.positions && exact != mixed, "something is compared");
+            for parts in [2, 3, 5, 64] {
+                let same = pool.install(|| {
+                    bits::<f64>(&scene, parts, verlet) == exact && bits::<f32>(&scene, parts, verlet) == mixed
+                });
+                assert!(same, "{parts} parts of {} nodes", scene.positions.len());
+            }
+        }
+    }
+}
+
 #[test]
 fn what_leaves_all_bounds_or_is_no_number_is_seen() {
     for isa in Isa::all() {
@@ -316,4 +366,46 @@ fn time<R: Compute>(scene: &Scene, repeat: usize) {
         );
         writeln!(std::io::stderr(), "{line}").expect("standard error");
     }
+}
+
+#[test]
+#[ignore = "measures"]
+fn timing_of_threads() {
+    for panels in [15_usize, 22, 31, 54, 99, 172, 315] {
+        let pattern = crate::generate::miura(panels, panels).expect("valid");
+        let scene = Scene::new(Model::new(&pattern, &Material::default()).expect("valid"), 1, 1e-4);
+        time_threads::<f64>(&scene, "f64");
+        time_threads::<f32>(&scene, "mixed");
+    }
+}
+
+/// On one thread, always shared out among two, and as the team sees fit.
+fn time_threads<R: Compute>(scene: &Scene, what: &str) {
+    let nodes = scene.positions.len();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("a pool");
+    let mut kernels = [1, 2, 2].map(|threads| scene.shared::<R>(Isa::best(), threads));
+    kernels[1].team = super::Team::steady(2);
+    let rounds = std::env::var("ROUNDS").ok().and_then(|rounds| rounds.parse().ok()).unwrap_or(2);
+    let (mut best, mut all) = ([f64::INFINITY; 3], [0.0; 3]);
+    for _ in 0..rounds {
+        for (i, kernel) in kernels.iter_mut().enumerate() {
+            if i == 2 {
+                kernel.team = super::Team::new(2);
+            }
+            let (start, mut steps) = (Instant::now(), 0);
+            pool.install(|| {
+                while start.elapsed().as_millis() < 600 {
+                    kernel.edges();
+                    kernel.faces(true);
+                    kernel.euler(1e-9);
+                    steps += 1;
+                }
+            });
+            let each = start.elapsed().as_secs_f64() * 1e9 / (nodes * steps) as f64;
+            best[i] = best[i].min(each);
+            all[i] += each / f64::from(rounds);
+        }
+    }
+    let line = format!("{nodes:>7} {what:>6} alone, two, as fits: best {best:5.1?} mean {all:5.1?}");
+    writeln!(std::io::stderr(), "{line}").expect("standard error");
 }

@@ -1,10 +1,10 @@
 //! Third pass of a relaxation: forces on the nodes, and the sums that FIRE needs of them.
 
 use super::gather::{gathered, rows};
-use super::isa::Pass;
+use super::isa::{Compute, Pass};
 use super::lane::{Lane, Mesh, Num};
 use super::real::Real;
-use super::sheet::Sheet;
+use super::share::Cut;
 
 /// Nodes whose sums are taken one after the other: the sums of these blocks are then added in their order, so that the
 /// result does not depend on who took which.
@@ -18,28 +18,39 @@ pub(crate) struct Sums {
     pub(crate) pull: f64,
 }
 
-/// Keeps the force on each node; gives the sums.
+impl Sums {
+    /// Of all blocks, in their order.
+    pub(super) fn of(blocks: &[Self]) -> Self {
+        let add =
+            |a: Self, b: &Self| Self { power: a.power + b.power, speed: a.speed + b.speed, pull: a.pull + b.pull };
+        blocks.iter().fold(Self::default(), add)
+    }
+}
+
+/// Keeps the force on each node, and the sums of each block of nodes.
 pub(super) struct Weigh<'a, R: Real> {
-    pub(super) sheet: &'a Sheet<R>,
+    /// The first slot of each node, and the end of the last.
+    pub(super) rows: &'a [u32],
+    pub(super) slots: &'a [u32],
     pub(super) forces: &'a [R::Quad],
     pub(super) velocities: &'a [R::Quad],
     /// By node: the mass and its inverse.
     pub(super) masses: &'a [[f64; 2]],
-    pub(super) sums: &'a mut [R::Quad],
+    pub(super) kept: &'a mut [R::Quad],
+    pub(super) sums: &'a mut [Sums],
 }
 
 impl<R: Real> Pass<R> for Weigh<'_, R> {
-    type Output = Sums;
+    type Output = ();
 
     #[inline(always)]
-    fn run<L: Mesh<Real = R>>(self, lane: L) -> Sums {
-        let mut sums = Sums::default();
-        let nodes = self.velocities.chunks(BLOCK).zip(self.masses.chunks(BLOCK)).zip(self.sums.chunks_mut(BLOCK));
-        for (block, ((velocities, masses), forces)) in nodes.enumerate() {
-            let own = &self.sheet.rows[block * BLOCK..][..masses.len() + 1];
+    fn run<L: Mesh<Real = R>>(self, lane: L) {
+        let nodes = self.velocities.chunks(BLOCK).zip(self.masses.chunks(BLOCK)).zip(self.kept.chunks_mut(BLOCK));
+        for (block, (((velocities, masses), forces), sums)) in nodes.zip(self.sums).enumerate() {
+            let own = &self.rows[block * BLOCK..][..masses.len() + 1];
             let zero = Num::splat(lane.place(), 0.0);
             let (mut power, mut speed, mut pull) = (zero, zero, zero);
-            let nodes = rows(own, &self.sheet.slots).zip(velocities).zip(masses).zip(forces);
+            let nodes = rows(own, self.slots).zip(velocities).zip(masses).zip(forces);
             for (((slots, velocity), [mass, inverse]), kept) in nodes {
                 let force = gathered(lane, slots, self.forces);
                 *kept = lane.store_node(force.raw);
@@ -49,12 +60,35 @@ impl<R: Real> Pass<R> for Weigh<'_, R> {
                 speed = (velocity * velocity).mul_add(Num::splat(lane.place(), *mass), speed);
                 pull = (force * force).mul_add(Num::splat(lane.place(), *inverse), pull);
             }
-            sums.power += total(power);
-            sums.speed += total(speed);
-            sums.pull += total(pull);
+            *sums = Sums { power: total(power), speed: total(speed), pull: total(pull) };
         }
-        sums
     }
+}
+
+impl<R: Compute> Cut<R> for Weigh<'_, R> {
+    const GRAIN: usize = BLOCK;
+
+    fn elements(&self) -> usize {
+        self.velocities.len()
+    }
+
+    fn cut(self, at: usize) -> (Self, Self) {
+        let (velocities, other_velocities) = self.velocities.split_at(at);
+        let (masses, other_masses) = self.masses.split_at(at);
+        let (kept, other_kept) = self.kept.split_at_mut(at);
+        let (sums, other_sums) = self.sums.split_at_mut(at / BLOCK);
+        let other = Self {
+            rows: &self.rows[at..],
+            velocities: other_velocities,
+            masses: other_masses,
+            kept: other_kept,
+            sums: other_sums,
+            ..self
+        };
+        (Self { velocities, masses, kept, sums, ..self }, other)
+    }
+
+    fn both((): (), (): ()) {}
 }
 
 /// Of the three coordinates.

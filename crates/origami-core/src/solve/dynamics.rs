@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::motion::Motion;
 use super::ramp::Ramp;
+use super::threads::share;
 use super::{
     DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, REPORT, Solver, State, Stop, TimeStep,
     time_step,
@@ -68,10 +69,10 @@ impl Solver for Dynamics {
         percent: f64,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
-        match self.precision {
-            Precision::F64 => self.run::<f64>(model, start, percent, observe),
-            Precision::Mixed => self.run::<f32>(model, start, percent, observe),
-        }
+        share(model, observe, |threads, observe| match self.precision {
+            Precision::F64 => self.run::<f64>(model, start, percent, threads, observe),
+            Precision::Mixed => self.run::<f32>(model, start, percent, threads, observe),
+        })
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
@@ -91,10 +92,11 @@ impl Dynamics {
         model: &Model,
         start: &State,
         percent: f64,
+        threads: usize,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
         let mut ramp = Ramp::new(&start.targets, model.targets(percent), self.ramp);
-        let mut motion = Motion::<R>::new(model, start, start.clone(), self.tolerance);
+        let mut motion = Motion::<R>::new(model, start, start.clone(), self.tolerance, threads);
         let mut clock = Clock::new(self, model);
         let damped = model.material.zeta > 0.0;
         motion.kernel.aim(&ramp.targets);

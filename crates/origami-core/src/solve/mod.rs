@@ -2,6 +2,9 @@
 //!
 //! [`Relax`] gives the folded state, [`Dynamics`] the paper's motion. Both are deterministic: the same input gives the
 //! same bits.
+//!
+//! A large sheet takes as many threads as rayon's global pool has, if that is faster, and the same bits come out. A fold
+//! that is itself on a thread of a pool, as those of a batch are, takes that one alone.
 
 pub mod dynamics;
 mod ensemble;
@@ -21,6 +24,7 @@ mod session;
 pub mod settle;
 mod state;
 mod sweep;
+pub mod threads;
 pub mod time_step;
 
 pub use dynamics::{Dynamics, Integrator};

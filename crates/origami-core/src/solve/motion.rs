@@ -17,12 +17,13 @@ pub(super) struct Motion<'m, R: Compute> {
 }
 
 impl<'m, R: Compute> Motion<'m, R> {
-    /// From `state`, which came of `start`: what is handed back where it diverges at once.
-    pub(super) fn new(model: &'m Model, start: &State, state: State, tolerance: f64) -> Self {
+    /// From `state`, which came of `start`: what is handed back where it diverges at once. `threads` of this thread's
+    /// pool share the passes.
+    pub(super) fn new(model: &'m Model, start: &State, state: State, tolerance: f64, threads: usize) -> Self {
         let bounds = Bounds { farthest: FARTHEST, longest_move: LONGEST_MOVE };
         Self {
             model,
-            kernel: Kernel::new(model, bounds, &state.positions, &state.velocities, &state.fold_angles),
+            kernel: Kernel::new(model, bounds, &state.positions, &state.velocities, &state.fold_angles, threads),
             state,
             settling: Settling::new(model, tolerance),
             guard: Guard::new(model, start),

@@ -4,6 +4,7 @@ use super::fire::Fire;
 use super::motion::Motion;
 use super::perturb::perturb;
 use super::ramp::Ramp;
+use super::threads::share;
 use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, REPORT, Solver, State, Stop};
 use crate::kernel::Compute;
 use crate::model::{Inventory, Model};
@@ -118,10 +119,10 @@ impl Solver for Relax {
         percent: f64,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
-        match self.precision {
-            Precision::F64 => self.attempts::<f64>(model, start, percent, observe),
-            Precision::Mixed => self.attempts::<f32>(model, start, percent, observe),
-        }
+        share(model, observe, |threads, observe| match self.precision {
+            Precision::F64 => self.attempts::<f64>(model, start, percent, threads, observe),
+            Precision::Mixed => self.attempts::<f32>(model, start, percent, threads, observe),
+        })
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
@@ -178,16 +179,17 @@ impl Relax {
         model: &Model,
         start: &State,
         percent: f64,
+        threads: usize,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
         let mut attempt = self.first_attempt(model, start, percent);
-        let mut kept = self.attempt::<R>(model, start, percent, attempt, observe)?;
+        let mut kept = self.attempt::<R>(model, start, percent, attempt, threads, observe)?;
         while let Some(next) = self.next_attempt(model, start, attempt, &kept) {
             attempt = next;
             let so_far = kept.steps;
             let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
             // The state at hand is finite: another way that diverges does not take it away.
-            if let Ok(other) = self.attempt::<R>(model, start, percent, attempt, &mut observe) {
+            if let Ok(other) = self.attempt::<R>(model, start, percent, attempt, threads, &mut observe) {
                 kept = lower(model, kept, other, attempt.number);
             }
         }
@@ -200,10 +202,11 @@ impl Relax {
         start: &State,
         percent: f64,
         Attempt { ramp, limit, .. }: Attempt,
+        threads: usize,
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
         let mut ramp = Ramp::new(&start.targets, model.targets(percent), ramp);
-        let mut motion = Motion::<R>::new(model, start, self.beginning(model, start, percent), self.tolerance);
+        let mut motion = Motion::<R>::new(model, start, self.beginning(model, start, percent), self.tolerance, threads);
         let mut fire = Fire::new(model);
         motion.kernel.aim(&ramp.targets);
         let mut turned = 0.0;

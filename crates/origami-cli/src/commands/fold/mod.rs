@@ -93,14 +93,16 @@ fn fold_all(
         }
         finished
     };
+    if let Some(threads) = args.threads {
+        // A single sheet is shared out among the threads of the global pool.
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global();
+        pool.map_err(|error| format!("cannot start threads: {error}"))?;
+    }
     if inputs.len() == 1 {
         return Ok(inputs.iter().zip(targets).enumerate().map(fold).collect());
     }
-    let threads = args.threads.map_or(0, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    let pool = pool.map_err(|error| format!("cannot start threads: {error}"))?;
     // Indexed, so the results come in the order of the inputs. One at a time, since a large input takes long.
-    Ok(pool.install(|| inputs.par_iter().zip(targets).enumerate().with_max_len(1).map(fold).collect()))
+    Ok(inputs.par_iter().zip(targets).enumerate().with_max_len(1).map(fold).collect())
 }
 
 fn write_report(destination: &Destination, reports: &[Report]) -> Result<(), Failure> {

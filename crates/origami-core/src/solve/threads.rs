@@ -1,0 +1,47 @@
+//! Threads for a single sheet: those of rayon's global pool. Equal bits for any number of them.
+
+use std::sync::mpsc;
+
+use super::Progress;
+use crate::model::Model;
+
+/// Each thread has at least so many nodes: below twice as many one thread is alone, as sharing a step out costs some
+/// microseconds (two cores, by size: `cargo bench --bench cpu_step`).
+pub const NODES_A_THREAD: usize = 512;
+
+/// How many threads fold `model`. One where this is already a thread of a pool, as in a batch: the others have sheets of
+/// their own.
+fn count(model: &Model) -> usize {
+    let most = model.node_count() / NODES_A_THREAD;
+    if most < 2 || rayon::current_thread_index().is_some() {
+        return 1;
+    }
+    most.min(rayon::current_num_threads())
+}
+
+/// Does `work`, which is told how many threads there are, and is one of them itself; the calling thread goes on telling
+/// `observe` how far it has come.
+pub(super) fn share<T: Send>(
+    model: &Model,
+    observe: &mut dyn FnMut(Progress),
+    work: impl FnOnce(usize, &mut dyn FnMut(Progress)) -> T + Send,
+) -> T {
+    let threads = count(model);
+    if threads == 1 {
+        return work(1, observe);
+    }
+    let (sender, receiver) = mpsc::channel();
+    let mut result = None;
+    rayon::in_place_scope(|scope| {
+        scope.spawn(|_| {
+            let sender = sender;
+            // Nobody listens where `observe` panicked, which is seen when the work is done.
+            let mut tell = |progress| {
+                let _ = sender.send(progress);
+            };
+            result = Some(work(threads, &mut tell));
+        });
+        receiver.iter().for_each(observe);
+    });
+    result.expect("a scope ends when all that it spawned has ended")
+}

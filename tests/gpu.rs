@@ -191,7 +191,8 @@ fn trajectories_agree_with_the_processor() {
             assert!(angles.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) < 1e3 * TRAJECTORY, "{name}: fold angles");
             assert_eq!(ours.state.targets, theirs.state.targets);
             assert_eq!((ours.stop, ours.steps, ours.attempts), (theirs.stop, theirs.steps, 1), "{name}");
-            assert!((ours.time_step / theirs.time_step - 1.0).abs() < 1e-5, "{name}: time step");
+            let (step, own) = (ours.time_step, theirs.time_step);
+            assert!((step / own - 1.0).abs() < 1e-5, "{name}, way {i}: steps of {step} and {own}");
             assert!((ours.residual - theirs.residual).abs() < 1e-3 * theirs.residual + 1e-6, "{name}: residual");
             for node in &model.fixed {
                 let moved = ours.state.positions[node.index()].distance(model.rest[node.index()]);

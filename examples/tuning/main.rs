@@ -102,7 +102,7 @@ fn outcomes(scenes: &[Scene], choices: &[Choice]) -> Result<Vec<Vec<Outcome>>, B
     thread::scope(|scope| {
         (0..thread::available_parallelism().map_or(1, usize::from)).for_each(|_| {
             scope.spawn(work);
-        })
+        });
     });
     outcomes.into_inner().map_err(|_| "a thread has panicked".into())
 }

@@ -2,6 +2,7 @@
 
 use origami_core::Model;
 use origami_core::model::Material;
+use origami_core::solve::dynamics;
 
 use crate::device::Gpu;
 use crate::error::GpuError;
@@ -163,17 +164,21 @@ impl Engine {
         let mut record = |passes: &[Pass]| passes.iter().for_each(|p| p.record(pass, instances));
         let dynamics = !self.variant.relaxing();
         // Dynamics begins with a time step, a relaxation without masses.
-        let renews = |step: u64| step.is_multiple_of(self.renewal) && (step > 0 || !dynamics);
+        let has_renewals = !self.row_sums.is_empty();
+        let renews = |step: u64| has_renewals && step.is_multiple_of(self.renewal) && (step > 0 || !dynamics);
         if let Some(workgroup) = &self.workgroup {
-            for step in (from..to).step_by(TICK as usize) {
-                record(&self.forces);
-                record(&self.settling);
+            for step in (from..to.next_multiple_of(TICK)).step_by(self.variant.steps as usize) {
+                let looks = step.is_multiple_of(TICK);
+                if looks || renews(step) {
+                    record(&self.forces);
+                }
+                if looks {
+                    record(&self.settling);
+                }
                 if renews(step) {
                     record(&self.row_sums);
                 }
-                for _ in 0..TICK.div_ceil(u64::from(self.variant.steps)) {
-                    record(std::slice::from_ref(workgroup));
-                }
+                record(std::slice::from_ref(workgroup));
             }
         } else {
             for step in from..to {
@@ -224,8 +229,10 @@ fn workgroup_variant(scene: &Scene, variant: &Variant, purpose: Purpose) -> Opti
     #[expect(clippy::cast_possible_truncation, reason = "at most 256")]
     let workgroup = most.next_power_of_two().clamp(32, 256) as u32;
     let most = (MOST_ITERATIONS / iterations(scene, workgroup as usize)) as u64;
-    // Whole dispatches make a tick: the stopping rule and the safe step are due at its end.
-    let steps = (1..=TICK.min(most)).rev().find(|steps| TICK.is_multiple_of(*steps))?;
+    // Whole dispatches make a tick, at whose end the stopping rule is due, and a renewal of the safe step.
+    let renewal = if purpose.safe { dynamics::RENEWAL } else { TICK };
+    let whole = |steps: &u64| TICK.is_multiple_of(*steps) && renewal.is_multiple_of(*steps);
+    let steps = (1..=TICK.min(most)).rev().find(whole)?;
     #[expect(clippy::cast_possible_truncation, reason = "at most a tick")]
     let steps = steps as u32;
     Some(Variant { workgroup, steps, ..variant.clone() })
@@ -344,7 +351,10 @@ mod tests {
         let mut steps = Vec::new();
         for faces in [1, 100, 10_000, 40_000, 100_000, 400_000, 4_000_000] {
             scene.faces.resize(faces, scene.faces[0]);
-            let Some(built) = workgroup_variant(&scene, &variant, BY_WORKGROUP) else {
+            let renewing = workgroup_variant(&scene, &variant, BY_WORKGROUP).map(|built| u64::from(built.steps));
+            assert!(renewing.is_none_or(|steps| dynamics::RENEWAL.is_multiple_of(steps)), "{renewing:?}");
+            let kept = Purpose { safe: false, ..BY_WORKGROUP };
+            let Some(built) = workgroup_variant(&scene, &variant, kept) else {
                 assert!(iterations(&scene, 256) > MOST_ITERATIONS, "{faces} faces: one step would fit");
                 continue;
             };

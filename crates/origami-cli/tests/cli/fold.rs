@@ -14,8 +14,8 @@ fn folds_to_the_angle_asked_for() {
     let place = Place::new();
     let ran = place.run("fold square.fold -o a.fold");
     let line = ran.succeeds();
-    assert!(line.starts_with("square.fold: folded to 100 % in 1 "), "{line}");
-    assert!(line.contains("steps, converged (distance ") && line.contains("strain mean "), "{line}");
+    assert!(line.starts_with("square.fold: folded to 100 % in "), "{line}");
+    assert!(line.contains(" steps, converged (distance ") && line.contains("strain mean "), "{line}");
     let folded = place.json("a.fold");
     // One crease folds without strain: nothing is left but the distance from the equilibrium.
     assert!((angle(&folded) - 90.0).abs() < 1e-3, "{}", angle(&folded));
@@ -168,7 +168,7 @@ fn stages_before_a_divergence_are_reported() {
 fn the_perturbation_is_that_asked_for() {
     let place = Place::new();
     place.run("fold square.fold -o a.fold --perturbation 0").succeeds();
-    place.run("fold square.fold -o b.fold --perturbation 0.003").succeeds();
+    place.run("fold square.fold -o b.fold --perturbation 0.01").succeeds();
     place.run("fold square.fold -o c.fold").succeeds();
     assert_eq!(place.text("b.fold"), place.text("c.fold"), "it is the default");
     assert_ne!(place.text("a.fold"), place.text("c.fold"));

@@ -130,7 +130,8 @@ impl Dynamics {
                 Integrator::Verlet => motion.kernel.verlet(dt, clock.previous),
             };
             clock.previous = dt;
-            motion.check(holds, steps, dt)?;
+            let ahead = if self.integrator == Integrator::Verlet { 0.5 * dt } else { 0.0 };
+            motion.check(holds, steps, dt, ahead)?;
             if steps.is_multiple_of(REPORT) {
                 observe(Progress { step: steps, ramp: ramp.share(), distance: motion.settling.distance() });
             }

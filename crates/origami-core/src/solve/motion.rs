@@ -14,6 +14,8 @@ pub(super) struct Motion<'m, R: Compute> {
     pub(super) state: State,
     pub(super) settling: Settling,
     guard: Guard<'m>,
+    /// Where velocities are extrapolated by them.
+    accelerations: Vec<glam::DVec3>,
 }
 
 impl<'m, R: Compute> Motion<'m, R> {
@@ -27,6 +29,7 @@ impl<'m, R: Compute> Motion<'m, R> {
             state,
             settling: Settling::new(model, tolerance),
             guard: Guard::new(model, start),
+            accelerations: Vec::new(),
         }
     }
 
@@ -40,12 +43,19 @@ impl<'m, R: Compute> Motion<'m, R> {
     }
 
     /// After step `step`, which moved every node by about `time_step` times its velocity: an error where the state is
-    /// out of bounds, which `holds` says that it surely is not; now and then a copy of the state.
-    pub(super) fn check(&mut self, holds: bool, step: u64, time_step: f64) -> Result<(), Diverged> {
+    /// out of bounds, which `holds` says that it surely is not; now and then a copy of the state. Velocities that are
+    /// extrapolated (Verlet's) are taken back by the time `ahead` to those that moved the nodes.
+    pub(super) fn check(&mut self, holds: bool, step: u64, time_step: f64, ahead: f64) -> Result<(), Diverged> {
         if holds && !step.is_multiple_of(COPY_EVERY) {
             return Ok(());
         }
         self.read();
+        if ahead > 0.0 {
+            self.kernel.read_accelerations(&mut self.accelerations);
+            for (velocity, acceleration) in self.state.velocities.iter_mut().zip(&self.accelerations) {
+                *velocity -= *acceleration * ahead;
+            }
+        }
         self.guard.check(step, &self.state, time_step)
     }
 

@@ -227,7 +227,7 @@ impl Relax {
                 break Stop::Converged;
             }
             let holds = fire.advance(&mut motion);
-            motion.check(holds, steps, fire.step())?;
+            motion.check(holds, steps, fire.step(), 0.0)?;
             if steps.is_multiple_of(REPORT) {
                 observe(Progress { step: steps, ramp: ramp.share(), distance: motion.settling.distance() });
             }

@@ -6,8 +6,8 @@ use super::Progress;
 use crate::model::Model;
 
 /// Each thread has at least so many nodes: below twice as many one thread is alone, as sharing a step out costs some
-/// microseconds (two cores, by size: `cargo bench --bench cpu_step`).
-pub const NODES_A_THREAD: usize = 512;
+/// microseconds: with two threads `relax` loses at 1 024 nodes and gains at 10 000 (`cargo bench --bench cpu_step`).
+pub const NODES_A_THREAD: usize = 1280;
 
 /// How many threads fold `model`. One where this is already a thread of a pool, as in a batch: the others have sheets of
 /// their own.

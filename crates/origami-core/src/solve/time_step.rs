@@ -14,7 +14,7 @@ use crate::model::Model;
 pub enum TimeStep {
     /// [`paper`]: what the reference program takes. Blows up on thin triangles, hubs, stiff creases.
     Paper,
-    /// [`safe`], [renewed](renewed) as the geometry changes.
+    /// [`safe`], [`renewed`] as the geometry changes.
     Safe,
     /// So many units of model time.
     Fixed(f64),

@@ -1,6 +1,6 @@
 //! Every solver on every scene.
 
-use origami_core::solve::{Integrator, TimeStep, time_step};
+use origami_core::solve::{Integrator, Precision, TimeStep, time_step};
 use origami_core::{Dynamics, Folded, Material, Model, Relax};
 
 use super::reference::{self, Branch, Equilibrium, Error};
@@ -74,6 +74,10 @@ pub(super) fn methods(scene: &Scene, quick: bool) -> Vec<Method> {
         methods.push(dynamics("safe step", Dynamics { time_step: TimeStep::Safe, ..paper.clone() }, zeta));
     }
     methods.push(Method { name: RELAX.into(), kind: Kind::Relax(Relax::default()) });
+    if scene.in_full {
+        let mixed = Relax { precision: Precision::Mixed, ..Relax::default() };
+        methods.push(Method { name: "relax, mixed".into(), kind: Kind::Relax(mixed) });
+    }
     if scene.model.node_count() <= LARGE {
         methods.push(Method { name: "newton after relax".into(), kind: Kind::Newton(From::Relax) });
         if scene.in_full {

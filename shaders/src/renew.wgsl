@@ -1,6 +1,7 @@
-// The safe time step: 0.9 of the longest for which K dt^2 + 2 D dt < 4, renewed as the geometry changes; no longer than
+// The safe time step: SAFE_SHARE of the longest for which K dt^2 + 2 D dt < 4, renewed as the geometry changes; no longer than
 // what takes the swiftest node SAFE_MOVE far, and little longer than the one before.
 
+override SAFE_SHARE: f32 = 0.9;
 override SAFE_MOVE: f32 = 0.1;
 override SAFE_GROWTH: f32 = 1.025;
 
@@ -12,7 +13,7 @@ fn renew(@builtin(workgroup_id) id: vec3<u32>) {
     let stiffness = bitcast<f32>(atomicExchange(&control[id.y].stiffest, 0u));
     let damping = control[id.y].damping_sum;
     let velocity = sqrt(bitcast<f32>(atomicExchange(&control[id.y].swiftest, 0u)));
-    var next = 0.9 * 4.0 / (damping + sqrt(damping * damping + 4.0 * stiffness));
+    var next = SAFE_SHARE * 4.0 / (damping + sqrt(damping * damping + 4.0 * stiffness));
     if (next * velocity > SAFE_MOVE) {
         next = SAFE_MOVE / velocity;
     }

@@ -1,6 +1,6 @@
 //! The paper's motion on a GPU.
 
-use origami_core::solve::{Dynamics, Failed, Folded, Instance, Integrator, Progress, TimeStep, time_step};
+use origami_core::solve::{Dynamics, Failed, Folded, Instance, Integrator, Progress, State, TimeStep, time_step};
 
 use crate::engine::{Dispatch, Engine, Purpose};
 use crate::layout::Control;
@@ -48,7 +48,10 @@ fn beginning<'m>(dynamics: &Dynamics, instance: &Instance<'m>) -> Beginning<'m> 
         stops_when_settled: dynamics.steps.is_none(),
         time_step: match dynamics.time_step {
             TimeStep::Paper => time_step::paper(model),
-            TimeStep::Safe => time_step::safe(model, &instance.start.positions, dynamics.integrator),
+            TimeStep::Safe => {
+                let State { positions, velocities, .. } = &instance.start;
+                time_step::renewed(time_step::safe(model, positions, dynamics.integrator), velocities, None)
+            }
             TimeStep::Fixed(dt) => dt,
         },
         damping_sum: time_step::damping_sum(model, dynamics.integrator),

@@ -114,6 +114,7 @@ impl Variant {
             ("LONGEST_MOVE", guard::LONGEST_MOVE),
             ("GOOD_POSITION", guard::GOOD_POSITION),
             ("GOOD_MOVE", guard::GOOD_MOVE),
+            ("SAFE_SHARE", time_step::SAFE_SHARE),
             ("SAFE_MOVE", time_step::SAFE_MOVE),
             ("SAFE_GROWTH", time_step::SAFE_GROWTH),
             ("FIRE_RENEWAL", fire::RENEWAL as f64),

@@ -75,27 +75,28 @@ impl<R: Real> Sheet<R> {
             damping: [0.0; 3],
             angles: [1.0, 0.0, 1.0, 0.0],
         };
-        let real = |list: Vec<f64>| list.into_iter().map(R::of).collect::<Vec<R>>();
         let damped = model.material.zeta > 0.0;
         let has_corners = !model.corner_angles.is_empty();
         let (rows, slots) = slots(model, width, &faces, &loose);
-        let of_faces = |fields: &dyn Fn(&Face) -> Vec<f64>| real(chunks(&faces, no_face, width, fields));
         let no_loose = ([dummy(0), dummy(1)], [1.0, 0.0, 0.0]);
         Self {
             nodes,
-            hinges: chunks(&hinges, no_hinge, width, &|nodes: &[u32; 4]| nodes.to_vec()),
+            hinges: chunks(&hinges, no_hinge, width, |nodes| *nodes),
             stiffness,
-            corners: chunks(&faces, no_face, width, &|face: &Face| face.corners.to_vec()),
-            creases: if creases > 0 {
-                chunks(&faces, no_face, width, &|face: &Face| face.creases.to_vec())
+            corners: chunks(&faces, no_face, width, |face| face.corners),
+            creases: if creases > 0 { chunks(&faces, no_face, width, |face| face.creases) } else { Vec::new() },
+            beams: chunks(&faces, no_face, width, |face| {
+                let ([a, b, c], [k_a, k_b, k_c]) = (face.rest_lengths, face.stiffness);
+                [a, b, c, k_a, k_b, k_c].map(R::of)
+            }),
+            damping: if damped { chunks(&faces, no_face, width, |face| face.damping.map(R::of)) } else { Vec::new() },
+            angles: if has_corners {
+                chunks(&faces, no_face, width, |face| face.angles.map(R::of))
             } else {
                 Vec::new()
             },
-            beams: of_faces(&|face| [face.rest_lengths, face.stiffness].concat()),
-            damping: if damped { of_faces(&|face| face.damping.to_vec()) } else { Vec::new() },
-            angles: if has_corners { of_faces(&|face| face.angles.to_vec()) } else { Vec::new() },
-            loose_ends: chunks(&loose, no_loose, width, &|(ends, _): &([u32; 2], [f64; 3])| ends.to_vec()),
-            loose_beams: real(chunks(&loose, no_loose, width, &|(_, beam): &([u32; 2], [f64; 3])| beam.to_vec())),
+            loose_ends: chunks(&loose, no_loose, width, |(ends, _)| *ends),
+            loose_beams: chunks(&loose, no_loose, width, |(_, beam)| beam.map(R::of)),
             rows,
             slots,
             k_face: model.material.k_face,
@@ -115,13 +116,17 @@ impl<R: Real> Sheet<R> {
 }
 
 /// A list field after field, chunk by chunk, filled up with `filling`.
-fn chunks<E: Copy, T: Copy>(list: &[E], filling: E, width: usize, fields: &dyn Fn(&E) -> Vec<T>) -> Vec<T> {
-    let mut laid_out = Vec::new();
+fn chunks<E, T: Copy, const FIELDS: usize>(
+    list: &[E],
+    filling: E,
+    width: usize,
+    fields: impl Fn(&E) -> [T; FIELDS],
+) -> Vec<T> {
+    let mut laid_out = Vec::with_capacity(list.len().next_multiple_of(width) * FIELDS);
     for chunk in list.chunks(width) {
-        let mut chunk: Vec<Vec<T>> = chunk.iter().map(fields).collect();
-        chunk.resize_with(width, || fields(&filling));
-        for field in 0..chunk[0].len() {
-            laid_out.extend(chunk.iter().map(|element| element[field]));
+        let filled = || chunk.iter().chain(std::iter::repeat(&filling)).take(width);
+        for field in 0..FIELDS {
+            laid_out.extend(filled().map(|element| fields(element)[field]));
         }
     }
     laid_out

@@ -27,11 +27,12 @@ fn around(model: &Model, positions: &[DVec3], node: usize) -> Option<Vec<(f64, f
         let fold = fold_angle(positions[left], positions[right], positions[from], positions[to]);
         next.push(if from == node { (to, left, fold) } else { (from, right, fold) });
     }
+    next.sort_unstable_by_key(|(neighbour, ..)| *neighbour);
     let mut ring = Vec::with_capacity(next.len());
     let first = next.first()?.0;
     let mut at = first;
     for _ in 0..next.len() {
-        let (_, after, fold) = *next.iter().find(|(neighbour, ..)| *neighbour == at)?;
+        let (_, after, fold) = next[next.binary_search_by_key(&at, |(neighbour, ..)| *neighbour).ok()?];
         let sector = (model.rest[at] - model.rest[node]).angle_between(model.rest[after] - model.rest[node]);
         ring.push((fold, sector));
         at = after;

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::motion::Motion;
 use super::ramp::Ramp;
 use super::threads::share;
+use super::time_step::Safe;
 use super::{
     DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, REPORT, Solver, State, Stop, TimeStep,
     time_step,
@@ -160,8 +161,8 @@ fn arrive<R: Compute>(model: &Model, kernel: &Kernel<R>, state: &mut State, forc
 
 /// The step, and its renewal.
 struct Clock {
-    rule: TimeStep,
-    integrator: Integrator,
+    /// Of [`TimeStep::Safe`].
+    safe: Option<Safe>,
     dt: f64,
     /// The step before; 0 at first.
     previous: f64,
@@ -169,19 +170,21 @@ struct Clock {
 
 impl Clock {
     fn new(solver: &Dynamics, model: &Model) -> Self {
+        let safe = (solver.time_step == TimeStep::Safe).then(|| Safe::new(model, solver.integrator));
         let dt = match solver.time_step {
             TimeStep::Paper | TimeStep::Safe => time_step::paper(model),
             TimeStep::Fixed(dt) => dt,
         };
-        Self { rule: solver.time_step, integrator: solver.integrator, dt, previous: 0.0 }
+        Self { safe, dt, previous: 0.0 }
     }
 
     fn step<R: Compute>(&mut self, motion: &mut Motion<'_, R>, steps: u64) -> f64 {
-        if self.rule == TimeStep::Safe && steps.is_multiple_of(RENEWAL) {
-            motion.read();
-            let safe = time_step::safe(motion.model, &motion.state.positions, self.integrator);
-            let swiftest = motion.state.velocities.iter().map(|v| v.length_squared()).fold(0.0, f64::max).sqrt();
-            self.dt = time_step::renewed(safe, swiftest, (steps > 0).then_some(self.dt));
+        if let Some(safe) = &mut self.safe
+            && steps.is_multiple_of(RENEWAL)
+        {
+            motion.read_nodes();
+            let safe = safe.step(motion.model, &motion.state.positions);
+            self.dt = time_step::renewed(safe, &motion.state.velocities, (steps > 0).then_some(self.dt));
         }
         self.dt
     }

@@ -63,9 +63,13 @@ impl<'m, R: Compute> Motion<'m, R> {
         self.kernel.read_positions(&mut self.state.positions);
     }
 
-    pub(super) fn read(&mut self) {
+    pub(super) fn read_nodes(&mut self) {
         self.read_positions();
         self.kernel.read_velocities(&mut self.state.velocities);
+    }
+
+    pub(super) fn read(&mut self) {
+        self.read_nodes();
         self.kernel.read_angles(&mut self.state.fold_angles);
     }
 

@@ -29,18 +29,36 @@ pub fn paper(model: &Model) -> f64 {
     0.9 / (2.0 * PI * stiffest.sqrt())
 }
 
-/// 0.9 of the longest step for which `K dt^2 + 2 D dt < 4`, with K the largest row sum of the stiffness at `positions`
-/// and D the largest sum of twice the damping coefficients at a node. [`Integrator::Verlet`], whose damping is that of an
-/// extrapolated velocity, bears half as much of it: `K dt^2 + 4 D dt < 4`.
+/// How much of the longest step that surely holds is taken.
+pub const SAFE_SHARE: f64 = 0.9;
+
+/// [`SAFE_SHARE`] of the longest step for which `K dt^2 + 2 D dt < 4`, with K the largest row sum of the stiffness at
+/// `positions` and D the largest sum of twice the damping coefficients at a node. [`Integrator::Verlet`], whose damping is
+/// that of an extrapolated velocity, bears half as much of it: `K dt^2 + 4 D dt < 4`.
 #[must_use]
 pub fn safe(model: &Model, positions: &[DVec3], integrator: Integrator) -> f64 {
-    let mut sums = vec![0.0; model.node_count()];
-    row_sums(model, positions, &mut sums);
-    let stiffness = sums.iter().fold(0.0, |a: f64, b| a.max(*b));
+    Safe::new(model, integrator).step(model, positions)
+}
 
-    let damping = damping_sum(model, integrator);
-    // (-D + sqrt(D^2 + 4 K)) / K without the difference of nearly equal numbers.
-    0.9 * 4.0 / (damping + (damping * damping + 4.0 * stiffness).sqrt())
+/// What [`safe`] needs of a model that stays as the geometry changes.
+#[derive(Debug)]
+pub(super) struct Safe {
+    damping: f64,
+    /// Memory for the row sums.
+    sums: Vec<f64>,
+}
+
+impl Safe {
+    pub(super) fn new(model: &Model, integrator: Integrator) -> Self {
+        Self { damping: damping_sum(model, integrator), sums: vec![0.0; model.node_count()] }
+    }
+
+    pub(super) fn step(&mut self, model: &Model, positions: &[DVec3]) -> f64 {
+        row_sums(model, positions, &mut self.sums);
+        let stiffness = self.sums.iter().fold(0.0, |a: f64, b| a.max(*b));
+        // (-D + sqrt(D^2 + 4 K)) / K without the difference of nearly equal numbers.
+        SAFE_SHARE * 4.0 / (self.damping + (self.damping * self.damping + 4.0 * stiffness).sqrt())
+    }
 }
 
 /// How far the swiftest node may get in one step of [`TimeStep::Safe`], in radii: what moves farther has left the shape for
@@ -50,10 +68,11 @@ pub const SAFE_MOVE: f64 = 0.1;
 /// `origami study stability` found narrow pleats to fail at 1.12.
 pub const SAFE_GROWTH: f64 = 1.025;
 
-/// The step that follows `previous`, of which there is none at first, where [`safe`] says `safe` and the swiftest node has
-/// the velocity `swiftest`.
+/// The step that follows `previous`, of which there is none at first, where [`safe`] says `safe` and the nodes have
+/// `velocities`.
 #[must_use]
-pub fn renewed(safe: f64, swiftest: f64, previous: Option<f64>) -> f64 {
+pub fn renewed(safe: f64, velocities: &[DVec3], previous: Option<f64>) -> f64 {
+    let swiftest = velocities.iter().map(|v| v.length_squared()).fold(0.0, f64::max).sqrt();
     let slow_enough = if safe * swiftest > SAFE_MOVE { SAFE_MOVE / swiftest } else { safe };
     previous.map_or(slow_enough, |previous| slow_enough.min(SAFE_GROWTH * previous))
 }

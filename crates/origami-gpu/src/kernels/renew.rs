@@ -69,7 +69,7 @@ mod tests {
                 bench.change_control(|c| (c.step, c.next_step) = (step, before));
                 bench.run(&[&row_sums::KERNEL, &stiffest::KERNEL, &KERNEL], false);
                 let safe = time_step::safe(&case.model, &case.state.positions, Integrator::Euler);
-                let want = time_step::renewed(safe, velocity, (step > 0).then_some(f64::from(before)));
+                let want = time_step::renewed(safe, &case.state.velocities, (step > 0).then_some(f64::from(before)));
                 let found = f64::from(bench.control().next_step);
                 assert!((found / want - 1.0).abs() < TOLERANCE, "{velocity}, {step}, {before}: {found}, not {want}");
             }

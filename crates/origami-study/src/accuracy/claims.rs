@@ -25,18 +25,22 @@ pub(super) const COLUMNS: &[Column] = &[
     Column { key: "kept", head: "kept", meaning: "whether the distance is within the tolerance, where converged" },
 ];
 
-/// All claims and how many were kept.
+/// All claims.
 pub(super) struct Claims {
     pub(super) table: Table,
-    pub(super) made: usize,
-    pub(super) kept: usize,
-    /// Those that were not, as rows.
-    pub(super) misses: Table,
 }
 
 impl Claims {
     pub(super) fn new() -> Self {
-        Self { table: Table::new(COLUMNS), misses: Table::new(COLUMNS), made: 0, kept: 0 }
+        Self { table: Table::new(COLUMNS) }
+    }
+
+    /// How many were made, and those that were not kept.
+    pub(super) fn missed(&self) -> (usize, Table) {
+        let kept = |row: &[Cell], flag: bool| row.last() == Some(&Cell::Flag(flag));
+        let rows: Vec<Vec<Cell>> = self.table.rows.iter().filter(|row| kept(row, false)).cloned().collect();
+        let made = rows.len() + self.table.rows.iter().filter(|row| kept(row, true)).count();
+        (made, Table { columns: COLUMNS, rows })
     }
 
     /// Asks both solvers on a scene.
@@ -54,16 +58,7 @@ impl Claims {
         let Ok(folded) = folded else { return };
         let (branch, own) = reference::branch(&scene.model, &folded.state, reference);
         let distance = reference::error(&folded.state.positions, own.as_ref().unwrap_or(reference)).max;
-        let row = row(name, &folded, tolerance, scene, branch, distance);
-        if folded.converged() {
-            self.made += 1;
-            if distance <= tolerance {
-                self.kept += 1;
-            } else {
-                self.misses.push(row.clone());
-            }
-        }
-        self.table.push(row);
+        self.table.push(row(name, &folded, tolerance, scene, branch, distance));
     }
 }
 

@@ -1,7 +1,7 @@
 //! Every solver on every scene.
 
 use origami_core::solve::{Integrator, Precision, TimeStep, time_step};
-use origami_core::{Dynamics, Folded, Material, Model, Relax};
+use origami_core::{Dynamics, Material, Model, Relax};
 
 use super::reference::{self, Branch, Equilibrium, Error};
 use super::scenes::{LARGE, Scene};
@@ -102,8 +102,8 @@ pub(super) fn run(scene: &Scene, method: &Method, on: On<'_>, reference: &Equili
             trail::of_dynamics(scene, &model, dynamics, on, limit, arrived, deadline)
         }
         Kind::Relax(relax) => {
-            let (trail, last) = trail::of_relax(scene, relax, on, deadline);
-            claim = last.filter(Folded::converged).map(|_| relax.tolerance);
+            let trail = trail::of_relax(scene, relax, on, deadline);
+            claim = trail.last.as_ref().filter(|last| last.converged()).map(|_| relax.tolerance);
             trail
         }
         Kind::Newton(from) => trail::of_newton(scene, *from, deadline),

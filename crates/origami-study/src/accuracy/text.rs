@@ -97,7 +97,7 @@ fn risen(found: &Found, note: &str) -> Vec<Part> {
         parts.push(text(format!("The paper's scheme never arrives at {}.", ratios.never.join(", "))));
     }
     parts.push(text(format!("The references have residuals of at most {:.1e}.", ratios.newton)));
-    parts.push(plot("ratio", tables::ratio_plot(found, note)));
+    parts.push(plot("ratio", tables::ratio_plot(&ratios, note)));
     let all = ["scene", "percent", "start", "backend", "paper", "relax", "ratio", "paper_ends", "newton"];
     parts.push(table("ratios", ratios.table, &all));
     for (scene, _) in &found.references {
@@ -158,20 +158,22 @@ pub(super) fn transient(transient: Transient) -> Vec<Part> {
 }
 
 pub(super) fn claims(claims: &Claims) -> Vec<Part> {
-    let share = 100.0 * claims.kept as f64 / claims.made.max(1) as f64;
+    let (made, misses) = claims.missed();
+    let kept = made - misses.rows.len();
+    let share = 100.0 * kept as f64 / made.max(1) as f64;
     let mut parts = vec![
         heading("What `converged` is worth"),
         text(format!(
-            "{} of {} runs that say that they have converged are within their tolerance of their equilibrium: {share:.1} %.",
-            claims.kept, claims.made
+            "{kept} of {made} runs that say that they have converged are within their tolerance of their equilibrium: \
+             {share:.1} %."
         )),
         table("claims", claims.table.clone(), &[]),
     ];
-    if !claims.misses.rows.is_empty() {
+    if !misses.rows.is_empty() {
         parts.push(text("Those that are not:"));
         let shown =
             ["scene", "percent", "start", "solver", "tolerance", "evaluations", "estimate", "distance", "branch"];
-        parts.push(table("claims-missed", claims.misses.clone(), &shown));
+        parts.push(table("claims-missed", misses, &shown));
     }
     parts
 }

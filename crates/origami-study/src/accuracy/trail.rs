@@ -86,20 +86,20 @@ pub(super) fn of_dynamics(
 }
 
 /// The way of `relax`: one run for each look, of so many evaluations, and at the end the run that claims to have converged.
-pub(super) fn of_relax(scene: &Scene, relax: &Relax, on: On<'_>, deadline: Deadline) -> (Trail, Option<Folded>) {
+pub(super) fn of_relax(scene: &Scene, relax: &Relax, on: On<'_>, deadline: Deadline) -> Trail {
     let mut trail = Trail::default();
     let relax = Relax { ramp: Some(scene.ramp), ..relax.clone() };
     let start = State::at_rest(&scene.model);
     let run = |relax: Relax| timed(OnEither::Relax(relax), &scene.model, &start, scene.percent, on);
-    let claim = match run(relax.clone()) {
+    let (claim, in_all) = match run(relax.clone()) {
         Ok(claim) => claim,
         Err(failed) => {
             trail.failed = Some(failed.to_string());
-            return (trail, None);
+            return trail;
         }
     };
     // Looks at a way that was tried more than once would show the first attempt.
-    let looks = if claim.0.attempts == 1 { claim.0.steps } else { 0 };
+    let looks = if claim.attempts == 1 { claim.steps } else { 0 };
     let (mut evaluations, mut spent) = (FIRST_LOOK, 0.0);
     while evaluations < looks && spent < PATIENCE && !deadline.passed() {
         if let Ok((folded, seconds)) = run(Relax { steps: Some(evaluations), retry: false, ..relax.clone() }) {
@@ -108,10 +108,10 @@ pub(super) fn of_relax(scene: &Scene, relax: &Relax, on: On<'_>, deadline: Deadl
         }
         evaluations += further(scene, evaluations, 5);
     }
-    trail.looks.push(look(&claim.0, claim.0.steps, claim.1));
+    trail.looks.push(look(&claim, claim.steps, in_all));
     bound_by_later(&mut trail.looks);
-    trail.last = Some(claim.0.clone());
-    (trail, Some(claim.0))
+    trail.last = Some(claim);
+    trail
 }
 
 /// Where Newton's method begins.

@@ -15,8 +15,6 @@ use super::scenes::{Scene, Size};
 const FACTORISATIONS: u32 = 300;
 /// Nodes above which no reference is sought.
 const MOST_NODES: usize = 3000;
-/// [`time_step::safe`] is so much of the bound.
-const SAFE_SHARE: f64 = 0.9;
 
 /// How much is run.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +70,7 @@ impl Limit {
     }
 
     fn find(model: &Model, state: &State, integrator: Integrator, effort: Effort) -> Self {
-        let bound = time_step::safe(model, &state.positions, integrator) / SAFE_SHARE;
+        let bound = time_step::safe(model, &state.positions, integrator) / time_step::SAFE_SHARE;
         Self { bound, largest: largest(model, state, integrator, bound, effort) }
     }
 }

@@ -1,0 +1,216 @@
+//! Lanes of AVX2 with FMA, and of AVX-512. The intrinsics are pulp's, which are safe: its tokens can only be had where the
+//! processor has the instructions. No closures here, nor in the passes: the compiler may leave one outside of the functions
+//! that are compiled for these instructions, and calls then cost more than what they do.
+
+macro_rules! lane {
+    (
+        $name:ident: $real:ident x $width:literal, $raw:ty, $mask:ty;
+        $base:ident: $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $splat:ident, $max:ident, $min:ident;
+        $fused:ident: $mul_add:ident, $mul_sub:ident, $sub_mul:ident;
+        abs($abs:ident, $of:ident) = $absolute:expr;
+        less($l:ident, $la:ident, $lb:ident) = $less:expr;
+        and($n:ident, $na:ident, $nb:ident) = $and:expr;
+        all($w:ident, $all_of:ident) = $all:expr;
+        select($s:ident, $by:ident, $yes:ident, $no:ident) = $select:expr;
+    ) => {
+        impl Lane for $name {
+            type Real = $real;
+            type Raw = $raw;
+            type Mask = $mask;
+            const WIDTH: usize = $width;
+
+            #[inline(always)]
+            fn splat(self, x: $real) -> $raw {
+                self.0.$base.$splat(x)
+            }
+
+            #[inline(always)]
+            fn load(self, from: &[$real]) -> $raw {
+                let from: &[$real; $width] = from.first_chunk().expect("as many as there are lanes");
+                cast(*from)
+            }
+
+            #[inline(always)]
+            fn store(self, raw: $raw, to: &mut [$real]) {
+                *to.first_chunk_mut::<$width>().expect("as many as there are lanes") = cast(raw);
+            }
+
+            #[inline(always)]
+            fn add(self, a: $raw, b: $raw) -> $raw {
+                self.0.$base.$add(a, b)
+            }
+
+            #[inline(always)]
+            fn sub(self, a: $raw, b: $raw) -> $raw {
+                self.0.$base.$sub(a, b)
+            }
+
+            #[inline(always)]
+            fn mul(self, a: $raw, b: $raw) -> $raw {
+                self.0.$base.$mul(a, b)
+            }
+
+            #[inline(always)]
+            fn div(self, a: $raw, b: $raw) -> $raw {
+                self.0.$base.$div(a, b)
+            }
+
+            #[inline(always)]
+            fn mul_add(self, a: $raw, b: $raw, c: $raw) -> $raw {
+                self.0.$fused.$mul_add(a, b, c)
+            }
+
+            #[inline(always)]
+            fn mul_sub(self, a: $raw, b: $raw, c: $raw) -> $raw {
+                self.0.$fused.$mul_sub(a, b, c)
+            }
+
+            #[inline(always)]
+            fn sub_mul(self, a: $raw, b: $raw, c: $raw) -> $raw {
+                self.0.$fused.$sub_mul(a, b, c)
+            }
+
+            #[inline(always)]
+            fn max(self, a: $raw, b: $raw) -> $raw {
+                self.0.$base.$max(a, b)
+            }
+
+            #[inline(always)]
+            fn min(self, a: $raw, b: $raw) -> $raw {
+                self.0.$base.$min(a, b)
+            }
+
+            #[inline(always)]
+            fn sqrt(self, a: $raw) -> $raw {
+                self.0.$base.$sqrt(a)
+            }
+
+            #[inline(always)]
+            fn abs(self, $of: $raw) -> $raw {
+                let $abs = self;
+                $absolute
+            }
+
+            #[inline(always)]
+            fn less(self, $la: $raw, $lb: $raw) -> $mask {
+                let $l = self;
+                $less
+            }
+
+            #[inline(always)]
+            fn and(self, $na: $mask, $nb: $mask) -> $mask {
+                let $n = self;
+                $and
+            }
+
+            #[inline(always)]
+            fn all(self, $all_of: $mask) -> bool {
+                let $w = self;
+                $all
+            }
+
+            #[inline(always)]
+            fn select(self, $by: $mask, $yes: $raw, $no: $raw) -> $raw {
+                let $s = self;
+                $select
+            }
+        }
+    };
+}
+
+/// Nodes, one after the other, of f64. `$token` is AVX2's token, of `$own` lanes.
+macro_rules! nodes_of_f64 {
+    (|$own:ident| $token:expr) => {
+        type Node = D4;
+        type Place = D4;
+
+        #[inline(always)]
+        fn node(self) -> D4 {
+            let $own = self;
+            D4($token)
+        }
+
+        #[inline(always)]
+        fn place(self) -> D4 {
+            let $own = self;
+            D4($token)
+        }
+
+        #[inline(always)]
+        fn load_node(self, from: Quad64) -> __m256d {
+            cast(from.0)
+        }
+
+        #[inline(always)]
+        fn store_node(self, raw: __m256d) -> Quad64 {
+            Quad64(cast(raw))
+        }
+
+        #[inline(always)]
+        fn load_place(self, from: Quad64) -> __m256d {
+            cast(from.0)
+        }
+
+        #[inline(always)]
+        fn store_place(self, raw: __m256d) -> Quad64 {
+            Quad64(cast(raw))
+        }
+
+        #[inline(always)]
+        fn widen(self, raw: __m256d) -> __m256d {
+            raw
+        }
+    };
+}
+
+/// Nodes, one after the other, of f32. `$token` is AVX2's token, of `$own` lanes.
+macro_rules! nodes_of_f32 {
+    (|$own:ident| $token:expr) => {
+        type Node = S4;
+        type Place = D4;
+
+        #[inline(always)]
+        fn node(self) -> S4 {
+            let $own = self;
+            S4($token)
+        }
+
+        #[inline(always)]
+        fn place(self) -> D4 {
+            let $own = self;
+            D4($token)
+        }
+
+        #[inline(always)]
+        fn load_node(self, from: Quad32) -> __m128 {
+            cast(from.0)
+        }
+
+        #[inline(always)]
+        fn store_node(self, raw: __m128) -> Quad32 {
+            Quad32(cast(raw))
+        }
+
+        #[inline(always)]
+        fn load_place(self, from: Quad64) -> __m256d {
+            cast(from.0)
+        }
+
+        #[inline(always)]
+        fn store_place(self, raw: __m256d) -> Quad64 {
+            Quad64(cast(raw))
+        }
+
+        #[inline(always)]
+        fn widen(self, raw: __m128) -> __m256d {
+            self.node().0.avx._mm256_cvtps_pd(raw)
+        }
+    };
+}
+
+mod avx2;
+mod avx512;
+mod rows;
+
+pub(in crate::kernel) use avx2::{D4, S8};
+pub(in crate::kernel) use avx512::{D8, S16};

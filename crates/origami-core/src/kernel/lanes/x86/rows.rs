@@ -1,0 +1,140 @@
+//! From nodes, one after the other, to elements side by side, and back.
+
+use std::arch::x86_64::{__m256, __m256d};
+
+use bytemuck::cast;
+use pulp::x86::V3;
+
+use crate::kernel::real::{Quad32, Quad64};
+
+/// Four rows of four numbers, of which the last is not wanted, to three columns.
+#[inline(always)]
+pub(super) fn columns_d4(v: V3, [a, b, c, d]: [__m256d; 4]) -> [__m256d; 3] {
+    let (xz_ab, yw_ab) = (v.avx._mm256_unpacklo_pd(a, b), v.avx._mm256_unpackhi_pd(a, b));
+    let (xz_cd, yw_cd) = (v.avx._mm256_unpacklo_pd(c, d), v.avx._mm256_unpackhi_pd(c, d));
+    [
+        v.avx._mm256_permute2f128_pd::<0x20>(xz_ab, xz_cd),
+        v.avx._mm256_permute2f128_pd::<0x20>(yw_ab, yw_cd),
+        v.avx._mm256_permute2f128_pd::<0x31>(xz_ab, xz_cd),
+    ]
+}
+
+/// Three columns and one of zeros to four rows.
+#[inline(always)]
+pub(super) fn rows_d4(v: V3, [x, y, z]: [__m256d; 3], to: &mut [Quad64; 4]) {
+    let zero = v.avx._mm256_setzero_pd();
+    let (xy_02, xy_13) = (v.avx._mm256_unpacklo_pd(x, y), v.avx._mm256_unpackhi_pd(x, y));
+    let (zw_02, zw_13) = (v.avx._mm256_unpacklo_pd(z, zero), v.avx._mm256_unpackhi_pd(z, zero));
+    to[0] = Quad64(cast(v.avx._mm256_permute2f128_pd::<0x20>(xy_02, zw_02)));
+    to[1] = Quad64(cast(v.avx._mm256_permute2f128_pd::<0x20>(xy_13, zw_13)));
+    to[2] = Quad64(cast(v.avx._mm256_permute2f128_pd::<0x31>(xy_02, zw_02)));
+    to[3] = Quad64(cast(v.avx._mm256_permute2f128_pd::<0x31>(xy_13, zw_13)));
+}
+
+/// Eight rows of four numbers, of which the last is not wanted, to three columns. Each of `pairs` holds rows i and i + 4.
+#[inline(always)]
+pub(super) fn columns_s8(v: V3, [a, b, c, d]: [__m256; 4]) -> [__m256; 3] {
+    let (xy_ab, zw_ab) = (v.avx._mm256_unpacklo_ps(a, b), v.avx._mm256_unpackhi_ps(a, b));
+    let (xy_cd, zw_cd) = (v.avx._mm256_unpacklo_ps(c, d), v.avx._mm256_unpackhi_ps(c, d));
+    [
+        v.avx._mm256_shuffle_ps::<0x44>(xy_ab, xy_cd),
+        v.avx._mm256_shuffle_ps::<0xee>(xy_ab, xy_cd),
+        v.avx._mm256_shuffle_ps::<0x44>(zw_ab, zw_cd),
+    ]
+}
+
+/// Three columns and one of zeros to eight rows.
+#[inline(always)]
+pub(super) fn rows_s8(v: V3, [x, y, z]: [__m256; 3], to: &mut [Quad32; 8]) {
+    let zero = v.avx._mm256_setzero_ps();
+    let (xy_01, xy_23) = (v.avx._mm256_unpacklo_ps(x, y), v.avx._mm256_unpackhi_ps(x, y));
+    let (zw_01, zw_23) = (v.avx._mm256_unpacklo_ps(z, zero), v.avx._mm256_unpackhi_ps(z, zero));
+    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0x44>(xy_01, zw_01), 0, to);
+    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0xee>(xy_01, zw_01), 1, to);
+    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0x44>(xy_23, zw_23), 2, to);
+    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0xee>(xy_23, zw_23), 3, to);
+}
+
+/// Rows i and i + 4.
+#[inline(always)]
+pub(super) fn rows_of_pair(v: V3, pair: __m256, i: usize, to: &mut [Quad32; 8]) {
+    to[i] = Quad32(cast(v.avx._mm256_castps256_ps128(pair)));
+    to[i + 4] = Quad32(cast(v.avx._mm256_extractf128_ps::<1>(pair)));
+}
+
+/// The way between two nodes.
+#[inline(always)]
+pub(super) fn way_d4(v: V3, vectors: &[Quad64], from: u32, to: u32) -> __m256d {
+    v.avx._mm256_sub_pd(cast(vectors[to as usize].0), cast(vectors[from as usize].0))
+}
+
+/// The ways between four pairs of nodes.
+#[inline(always)]
+pub(super) fn between_d4(v: V3, vectors: &[Quad64], from: &[u32; 4], to: &[u32; 4]) -> [__m256d; 3] {
+    let (a, b) = (way_d4(v, vectors, from[0], to[0]), way_d4(v, vectors, from[1], to[1]));
+    let (c, d) = (way_d4(v, vectors, from[2], to[2]), way_d4(v, vectors, from[3], to[3]));
+    columns_d4(v, [a, b, c, d])
+}
+
+/// The ways between pairs i and i + 4 of nodes, in f32.
+#[inline(always)]
+pub(super) fn ways_s8(v: V3, places: &[Quad64], from: &[u32; 8], to: &[u32; 8], i: usize) -> __m256 {
+    let low = v.avx._mm256_cvtpd_ps(way_d4(v, places, from[i], to[i]));
+    let high = v.avx._mm256_cvtpd_ps(way_d4(v, places, from[i + 4], to[i + 4]));
+    v.avx._mm256_set_m128(high, low)
+}
+
+/// The ways between eight pairs of nodes, in f32.
+#[inline(always)]
+pub(super) fn between_s8(v: V3, places: &[Quad64], from: &[u32; 8], to: &[u32; 8]) -> [__m256; 3] {
+    let (a, b) = (ways_s8(v, places, from, to, 0), ways_s8(v, places, from, to, 1));
+    let (c, d) = (ways_s8(v, places, from, to, 2), ways_s8(v, places, from, to, 3));
+    columns_s8(v, [a, b, c, d])
+}
+
+/// Vectors i and i + 4.
+#[inline(always)]
+pub(super) fn pair_s8(v: V3, vectors: &[Quad32], nodes: &[u32; 8], i: usize) -> __m256 {
+    v.avx._mm256_set_m128(cast(vectors[nodes[i + 4] as usize].0), cast(vectors[nodes[i] as usize].0))
+}
+
+/// The differences between eight pairs of vectors.
+#[inline(always)]
+pub(super) fn apart_s8(v: V3, vectors: &[Quad32], from: &[u32; 8], to: &[u32; 8]) -> [__m256; 3] {
+    let a = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 0), pair_s8(v, vectors, from, 0));
+    let b = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 1), pair_s8(v, vectors, from, 1));
+    let c = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 2), pair_s8(v, vectors, from, 2));
+    let d = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 3), pair_s8(v, vectors, from, 3));
+    columns_s8(v, [a, b, c, d])
+}
+
+#[inline(always)]
+pub(super) fn pick_d4(v: V3, values: &[f64], at: &[u32; 4]) -> __m256d {
+    let [a, b, c, d] = *at;
+    v.avx._mm256_set_pd(values[d as usize], values[c as usize], values[b as usize], values[a as usize])
+}
+
+#[inline(always)]
+pub(super) fn pick_s8(v: V3, values: &[f32], at: &[u32; 8]) -> __m256 {
+    let [a, b, c, d, e, f, g, h] = *at;
+    let (a, b, c, d) = (values[a as usize], values[b as usize], values[c as usize], values[d as usize]);
+    let (e, f, g, h) = (values[e as usize], values[f as usize], values[g as usize], values[h as usize]);
+    v.avx._mm256_set_ps(h, g, f, e, d, c, b, a)
+}
+
+/// The first places of a list that has as many.
+#[inline(always)]
+pub(super) fn first<const N: usize, T>(list: &[T]) -> &[T; N] {
+    list.first_chunk().expect("as many as there are lanes")
+}
+
+#[inline(always)]
+pub(super) fn first_mut<const N: usize, T>(list: &mut [T]) -> &mut [T; N] {
+    list.first_chunk_mut().expect("as many as there are lanes")
+}
+
+/// The two halves of a list of places.
+#[inline(always)]
+pub(super) fn halves<const N: usize, T>(list: &[T]) -> [&[T; N]; 2] {
+    [first(list), first(&list[N..])]
+}

@@ -117,6 +117,11 @@ impl<R: Compute> Kernel<R> {
         }
     }
 
+    /// Into how many parts a pass is cut at present.
+    pub(crate) fn parts(&self) -> usize {
+        self.team.parts()
+    }
+
     /// Asks the creases for `targets`, in radians.
     pub(crate) fn aim(&mut self, targets: &[f64]) {
         for (own, target) in self.targets.iter_mut().zip(targets) {

@@ -7,7 +7,7 @@ use crate::forces::Forces;
 use crate::kernel::{Bounds, Compute, Kernel};
 use crate::model::Model;
 
-/// A sheet in motion. `state` is what was last read.
+/// A sheet in motion. `state` is what was last read, without targets.
 pub(super) struct Motion<'m, R: Compute> {
     pub(super) model: &'m Model,
     pub(super) kernel: Kernel<R>,
@@ -21,7 +21,8 @@ pub(super) struct Motion<'m, R: Compute> {
 impl<'m, R: Compute> Motion<'m, R> {
     /// From `state`, which came of `start`: what is handed back where it diverges at once. `threads` of this thread's
     /// pool share the passes.
-    pub(super) fn new(model: &'m Model, start: &State, state: State, tolerance: f64, threads: usize) -> Self {
+    pub(super) fn new(model: &'m Model, start: &'m State, state: State, tolerance: f64, threads: usize) -> Self {
+        let state = State { targets: Vec::new(), ..state };
         let bounds = Bounds { farthest: FARTHEST, longest_move: LONGEST_MOVE };
         Self {
             model,
@@ -51,7 +52,7 @@ impl<'m, R: Compute> Motion<'m, R> {
         }
         self.read();
         if ahead > 0.0 {
-            self.kernel.read_accelerations(&mut self.accelerations);
+            self.read_accelerations();
             for (velocity, acceleration) in self.state.velocities.iter_mut().zip(&self.accelerations) {
                 *velocity -= *acceleration * ahead;
             }
@@ -73,19 +74,27 @@ impl<'m, R: Compute> Motion<'m, R> {
         self.kernel.read_angles(&mut self.state.fold_angles);
     }
 
-    /// The state that was last read, asked for `targets`; `end` gets it with its forces.
+    pub(super) fn read_accelerations(&mut self) {
+        self.kernel.read_accelerations(&mut self.accelerations);
+    }
+
+    /// The state that was last read, asked for `targets`; `end` gets it with the accelerations that were last read and its
+    /// forces.
     pub(super) fn into_folded(
-        mut self,
+        self,
         targets: Vec<f64>,
         (percent, stop, steps, time_step): (f64, Stop, u64, f64),
-        end: impl FnOnce(&Kernel<R>, &mut State, &mut [glam::DVec3]),
+        end: impl FnOnce(&mut State, &[glam::DVec3], &mut [glam::DVec3]),
     ) -> Folded {
-        self.state.targets = targets;
-        let mut forces = Forces::new(self.model);
-        let values = forces.evaluate(&self.state.positions, &self.state.targets, &mut self.state.fold_angles);
+        let Self { model, kernel, state, settling, guard, accelerations } = self;
+        let distance = settling.distance();
+        // Of a large sheet, the forces need the memory.
+        drop((kernel, settling, guard));
+        let mut state = State { targets, ..state };
+        let mut forces = Forces::new(model);
+        let values = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles);
         let residual = largest(values);
-        end(&self.kernel, &mut self.state, values);
-        let distance = self.settling.distance();
-        Folded { state: self.state, percent, stop, steps, time_step, residual, distance, attempts: 1 }
+        end(&mut state, &accelerations, values);
+        Folded { state, percent, stop, steps, time_step, residual, distance, attempts: 1 }
     }
 }

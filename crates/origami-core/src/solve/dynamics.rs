@@ -97,7 +97,8 @@ impl Dynamics {
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
         let mut ramp = Ramp::new(&start.targets, model.targets(percent), self.ramp);
-        let mut motion = Motion::<R>::new(model, start, start.clone(), self.tolerance, threads);
+        let moving = (start.positions.clone(), &start.velocities[..]);
+        let mut motion = Motion::<R>::new(model, start, moving, self.tolerance, threads);
         let mut clock = Clock::new(self, model);
         let damped = model.material.zeta > 0.0;
         motion.kernel.aim(&ramp.targets);

@@ -111,8 +111,7 @@ impl<'m> Guard<'m> {
     /// Into the memory of the copy before.
     fn copy(&mut self, state: &State) {
         let State { positions, velocities, fold_angles, .. } = state;
-        let empty = || State { positions: vec![], velocities: vec![], fold_angles: vec![], targets: vec![] };
-        let copy = self.copy.get_or_insert_with(empty);
+        let copy = self.copy.get_or_insert_default();
         copy.positions.clone_from(positions);
         copy.velocities.clone_from(velocities);
         copy.fold_angles.clone_from(fold_angles);

@@ -1,5 +1,7 @@
 //! A crease pattern put into a FOLD frame.
 
+use std::borrow::Cow;
+
 use serde_json::{Map, Value};
 
 use crate::fold::{Coordinates, Frame};
@@ -12,7 +14,7 @@ pub(super) fn set_topology(frame: &mut Frame, pattern: &CreasePattern) {
     let edges = pattern.edges.iter().map(|edge| edge.vertices.map(|vertex| vertex.0)).collect();
     let faces = pattern.faces.iter().map(|face| face.iter().map(|vertex| vertex.0).collect()).collect();
     let letters = (0..pattern.edges.len()).map(|edge| pattern.edges[stand_in_edge(pattern, edge)].assignment.letter());
-    let letters = letters.map(str::to_owned).collect();
+    let letters = letters.map(Cow::Borrowed).collect();
     frame.edges_vertices = Some(edges);
     frame.edges_assignment = Some(letters);
     frame.faces_vertices = Some(faces);

@@ -139,7 +139,6 @@ impl Dynamics {
             }
         };
 
-        motion.read();
         let arrives = self.integrator == Integrator::Verlet && steps > 0;
         if arrives {
             motion.read_accelerations();

@@ -86,17 +86,17 @@ impl<'m, R: Compute> Motion<'m, R> {
         self.kernel.read_accelerations(&mut self.accelerations);
     }
 
-    /// The state that was last read, asked for `targets`; `end` gets it with the accelerations that were last read and its
-    /// forces.
+    /// The state, asked for `targets`; `end` gets it with the accelerations that were last read and its forces.
     pub(super) fn into_folded(
-        self,
+        mut self,
         targets: Vec<f64>,
         (percent, stop, steps, time_step): (f64, Stop, u64, f64),
         end: impl FnOnce(&mut State, &[DVec3], &mut [DVec3]),
     ) -> Folded {
+        self.read();
         let Self { model, kernel, state, settling, guard, accelerations } = self;
         let distance = settling.distance();
-        // Of a large sheet, the forces need the memory.
+        // A large sheet's forces need the memory.
         drop((kernel, settling, guard));
         let mut state = State { targets, ..state };
         let mut forces = Forces::new(model);

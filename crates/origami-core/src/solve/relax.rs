@@ -245,8 +245,10 @@ impl Relax {
             }
         };
 
-        motion.read();
-        motion.state.velocities.fill(DVec3::ZERO);
-        Ok(motion.into_folded(ramp.into_asked(), (percent, stop, steps, fire.step()), |_, _, _| {}))
+        let (targets, time_step) = (ramp.into_asked(), fire.step());
+        drop(fire);
+        Ok(motion.into_folded(targets, (percent, stop, steps, time_step), |state, _, _| {
+            state.velocities.fill(DVec3::ZERO);
+        }))
     }
 }

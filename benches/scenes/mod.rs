@@ -1,5 +1,6 @@
 //! Scenes of any size as FOLD documents. `size` is about the number of vertices, edges or frames, whichever is at stake.
 
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use origami::export::crease_pattern_document;
@@ -77,7 +78,7 @@ fn number(index: usize) -> u32 {
 
 /// A document of lettered edges; letters are cycled through.
 fn document(points: &[[f64; 2]], edges: Vec<[usize; 2]>, letters: &str, faces: Vec<Vec<usize>>) -> Document {
-    let letters = letters.chars().map(String::from).cycle();
+    let letters = letters.chars().map(|letter| Cow::Owned(letter.to_string())).cycle();
     let key_frame = Frame {
         vertices_coords: Some(points.iter().map(|[x, y]| Coordinates::planar(DVec3::new(*x, *y, 0.0))).collect()),
         edges_assignment: Some(letters.take(edges.len()).collect()),

@@ -123,7 +123,7 @@ fn whole_numbers_are_indices_however_they_are_written() {
 #[test]
 fn letters_are_kept_as_written() {
     let letters = read(r#"{"edges_assignment": ["m", "M", "", "mountain"]}"#).key_frame.edges_assignment;
-    assert_eq!(letters, Some(["m", "M", "", "mountain"].map(String::from).to_vec()));
+    assert_eq!(letters, Some(["m", "M", "", "mountain"].map(Into::into).to_vec()));
 }
 
 #[test]

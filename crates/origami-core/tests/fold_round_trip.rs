@@ -1,5 +1,7 @@
 //! What is written reads back as it was, and no bytes make the reader panic.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 use origami_core::fold::{Coordinates, Document, Frame};
 use proptest::collection::vec;
@@ -160,7 +162,7 @@ prop_compose! {
         classes in of(vec(".{0,3}", 0..3)),
         vertices_coords in of(vec(coordinates(), 0..5)),
         edges_vertices in of(vec(any::<[u32; 2]>(), 0..5)),
-        edges_assignment in of(vec("[BMVFUCJa]|.{0,2}", 0..5)),
+        edges_assignment in of(vec("[BMVFUCJa]|.{0,2}".prop_map(Cow::Owned), 0..5)),
         edges_fold_angle in of(vec(of(number()), 0..5)),
         faces_vertices in of(vec(vec(any::<u32>(), 0..5), 0..5)),
         extra in map("frame_x"),

@@ -30,7 +30,7 @@ fn read(path: &Path) -> Frame {
         vertices_coords: list("vertices_coords").map(|all| all.iter().map(coords).collect()),
         edges_vertices: list("edges_vertices").map(|all| all.iter().map(|e| [numbers(e)[0], numbers(e)[1]]).collect()),
         edges_assignment: list("edges_assignment")
-            .map(|all| all.iter().map(|l| l.as_str().expect("a readable FOLD file").into()).collect()),
+            .map(|all| all.iter().map(|l| l.as_str().expect("a readable FOLD file").to_owned().into()).collect()),
         edges_fold_angle: list("edges_foldAngle").map(|all| all.iter().map(Value::as_f64).collect()),
         faces_vertices: list("faces_vertices").map(|all| all.iter().map(numbers).collect()),
         ..Frame::default()

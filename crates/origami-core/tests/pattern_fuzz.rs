@@ -2,6 +2,8 @@
 
 mod pattern_support;
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 use origami_core::CreasePattern;
 use origami_core::fold::{Coordinates, Frame};
@@ -20,8 +22,8 @@ fn coordinate() -> impl Strategy<Value = f64> {
     ]
 }
 
-fn letter() -> impl Strategy<Value = String> {
-    prop_oneof![8 => "[BMVFUCJ]", 1 => "[bmvx]"]
+fn letter() -> impl Strategy<Value = Cow<'static, str>> {
+    prop_oneof![8 => "[BMVFUCJ]", 1 => "[bmvx]"].prop_map(Cow::Owned)
 }
 
 /// Lines without faces.

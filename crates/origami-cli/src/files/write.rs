@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use origami::export::{self, Stage, write_obj, write_stl, write_whole};
+use origami::export::{Stage, Template, write_obj, write_stl, write_whole};
 use origami::fold::Document;
 use origami::ids::TriangleId;
 use origami::model::Model;
@@ -20,11 +20,9 @@ const DISTANCE: &str = "origami:distance";
 
 /// All that a file may need to know of a folded sheet.
 pub(crate) struct Sheet<'a> {
-    /// The input.
-    pub(crate) document: &'a Document,
-    /// Which of its frames was folded.
-    pub(crate) frame: usize,
-    /// The pattern in that frame.
+    /// What a FOLD file keeps of the input.
+    pub(crate) template: &'a Template,
+    /// The pattern in it.
     pub(crate) pattern: &'a CreasePattern,
     /// Its model.
     pub(crate) model: &'a Model,
@@ -115,7 +113,7 @@ impl Sheet<'_> {
     fn fold(&self) -> Result<Document, Error> {
         let stages: Vec<Stage> = self.states.iter().map(|folded| Stage::of(self.model, self.pattern, folded)).collect();
         if self.animated {
-            let mut document = export::animation(self.document, self.frame, self.pattern, &stages)?;
+            let mut document = self.template.animation(self.pattern, &stages)?;
             // Of an input that was folded itself.
             document.key_frame.extra.retain(|key, _| key != CONVERGED && key != DISTANCE);
             for (frame, folded) in document.frames.iter_mut().zip(self.states) {
@@ -124,7 +122,7 @@ impl Sheet<'_> {
             return Ok(document);
         }
         let (Some(stage), Some(folded)) = (stages.last(), self.states.last()) else { return Ok(Document::default()) };
-        let mut document = export::folded_form(self.document, self.frame, self.pattern, stage)?;
+        let mut document = self.template.folded_form(self.pattern, stage)?;
         mark(&mut document.key_frame.extra, folded);
         Ok(document)
     }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use serde_json::{Value, json};
 
-use super::CREATOR;
+use super::Template;
 use super::sheet::{coordinates, number, set_angles, set_topology};
 use crate::error::Error;
 use crate::fold::{Coordinates, Document, Frame};
@@ -37,31 +37,16 @@ impl Stage {
     }
 }
 
-/// The folded form as a FOLD document of one frame.
-///
-/// `pattern` is what became of frame `frame` of `source`. Metadata and unknown keys of the source are kept, other
-/// frames dropped. `edges_foldAngle` are the angles reached. Arrays that follow from others (`faces_edges`,
-/// `edges_length`, `faceOrders` and such) are kept where those are as in the source, else dropped.
-/// `origami:percent` says how far the sheet was asked to fold.
+/// The folded form as a FOLD document of one frame: [`Template::folded_form`] of a template that is not kept.
 ///
 /// # Errors
 /// [`Error::Invalid`] if there is no such frame, or if the stage has not one position for each vertex and one angle
 /// for each edge.
 pub fn folded_form(source: &Document, frame: usize, pattern: &CreasePattern, stage: &Stage) -> Result<Document, Error> {
-    check(pattern, stage)?;
-    let mut key_frame = source.frame(frame)?;
-    set_topology(&mut key_frame, pattern);
-    key_frame.extra.shift_remove(FOLD_ANGLE);
-    let attributes = folded_attributes(&key_frame);
-    key_frame.extra.insert("frame_attributes".into(), attributes);
-    set_stage(&mut key_frame, pattern, stage);
-    Ok(document(source, key_frame))
+    Template::new(source, frame, pattern)?.folded_form(pattern, stage)
 }
 
-/// Folding as a FOLD animation: the key frame is the crease pattern at rest with the angles it was asked for; each stage
-/// is a frame that inherits from it.
-///
-/// The rest is as for [`folded_form`].
+/// Folding as a FOLD animation: [`Template::animation`] of a template that is not kept.
 ///
 /// # Errors
 /// As for [`folded_form`].
@@ -71,27 +56,58 @@ pub fn animation(
     pattern: &CreasePattern,
     stages: &[Stage],
 ) -> Result<Document, Error> {
-    let mut key_frame = source.frame(frame)?;
-    set_topology(&mut key_frame, pattern);
-    set_rest(&mut key_frame, pattern);
-    let attributes = folded_attributes(&key_frame);
-    let stages = stages.iter().map(|stage| {
+    Template::new(source, frame, pattern)?.animation(pattern, stages)
+}
+
+impl Template {
+    /// The folded form of `pattern`, that of the template, as a FOLD document of one frame.
+    ///
+    /// Metadata and unknown keys of the source are kept, other frames dropped. `edges_foldAngle` are the angles reached.
+    /// `origami:percent` says how far the sheet was asked to fold.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if the stage has not one position for each vertex and one angle for each edge.
+    pub fn folded_form(&self, pattern: &CreasePattern, stage: &Stage) -> Result<Document, Error> {
         check(pattern, stage)?;
-        let mut folded = Frame { parent: Some(0), inherit: true, ..Frame::default() };
-        folded.extra.insert("frame_title".into(), format!("{} %", stage.percent).into());
-        folded.extra.insert("frame_attributes".into(), attributes.clone());
-        if key_frame.extra.contains_key(FOLD_ANGLE) {
-            // Without its own this frame would inherit those of the crease pattern.
-            folded.extra.insert(FOLD_ANGLE.into(), Value::Null);
-        }
-        set_stage(&mut folded, pattern, stage);
-        Ok(folded)
-    });
-    let frames = stages.collect::<Result<_, Error>>()?;
-    let mut document = document(source, key_frame);
-    document.classes.push("animation".into());
-    document.frames = frames;
-    Ok(document)
+        let mut key_frame = self.frame();
+        set_topology(&mut key_frame, pattern);
+        key_frame.extra.shift_remove(FOLD_ANGLE);
+        let attributes = folded_attributes(&key_frame);
+        key_frame.extra.insert("frame_attributes".into(), attributes);
+        set_stage(&mut key_frame, pattern, stage);
+        Ok(self.document(key_frame))
+    }
+
+    /// Folding as a FOLD animation: the key frame is the crease pattern at rest with the angles it was asked for; each stage
+    /// is a frame that inherits from it.
+    ///
+    /// The rest is as for [`Template::folded_form`].
+    ///
+    /// # Errors
+    /// As for [`Template::folded_form`].
+    pub fn animation(&self, pattern: &CreasePattern, stages: &[Stage]) -> Result<Document, Error> {
+        let mut key_frame = self.frame();
+        set_topology(&mut key_frame, pattern);
+        set_rest(&mut key_frame, pattern);
+        let attributes = folded_attributes(&key_frame);
+        let stages = stages.iter().map(|stage| {
+            check(pattern, stage)?;
+            let mut folded = Frame { parent: Some(0), inherit: true, ..Frame::default() };
+            folded.extra.insert("frame_title".into(), format!("{} %", stage.percent).into());
+            folded.extra.insert("frame_attributes".into(), attributes.clone());
+            if key_frame.extra.contains_key(FOLD_ANGLE) {
+                // Without its own this frame would inherit those of the crease pattern.
+                folded.extra.insert(FOLD_ANGLE.into(), Value::Null);
+            }
+            set_stage(&mut folded, pattern, stage);
+            Ok(folded)
+        });
+        let frames = stages.collect::<Result<_, Error>>()?;
+        let mut document = self.document(key_frame);
+        document.classes.push("animation".into());
+        document.frames = frames;
+        Ok(document)
+    }
 }
 
 /// A new FOLD document of `pattern`, with two coordinates a vertex where all z are 0.
@@ -103,23 +119,8 @@ pub fn crease_pattern_document(pattern: &CreasePattern, title: &str) -> Document
     frame.extra.insert("frame_attributes".into(), json!([if flat { "2D" } else { "3D" }]));
     set_topology(&mut frame, pattern);
     set_rest(&mut frame, pattern);
-    let mut document = document(&Document::default(), frame);
+    let mut document = Template::default().document(frame);
     document.classes.push("singleModel".into());
-    document
-}
-
-/// `frame` as the only one, with the metadata of `source`.
-fn document(source: &Document, frame: Frame) -> Document {
-    const MANY_FRAMES: [&str; 3] = ["animation", "multiModel", "diagrams"];
-    let mut document = Document {
-        spec: Some(json!(1.2)),
-        classes: source.classes.clone(),
-        metadata: source.metadata.clone(),
-        key_frame: frame,
-        ..Document::default()
-    };
-    document.classes.retain(|class| !MANY_FRAMES.contains(&class.as_str()));
-    document.metadata.insert("file_creator".into(), CREATOR.into());
     document
 }
 

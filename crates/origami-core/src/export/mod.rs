@@ -8,11 +8,13 @@ mod folded;
 mod obj;
 mod sheet;
 mod stl;
+mod template;
 
 pub use atomic::write_whole;
 pub use folded::{Stage, animation, crease_pattern_document, folded_form};
 pub use obj::write_obj;
 pub use stl::write_stl;
+pub use template::Template;
 
 /// What goes into files as their creator.
 const CREATOR: &str = concat!("origami ", env!("CARGO_PKG_VERSION"));

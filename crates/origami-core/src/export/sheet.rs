@@ -1,5 +1,7 @@
 //! A crease pattern put into a FOLD frame.
 
+use std::borrow::Cow;
+
 use serde_json::{Map, Value};
 
 use crate::fold::{Coordinates, Frame};
@@ -7,26 +9,12 @@ use crate::ids::{EdgeId, VertexId};
 use crate::pattern::keys::{EA, FIXED, FOLD_ANGLE, K_CREASE};
 use crate::pattern::{Assignment, CreasePattern};
 
-/// Keys that follow from `edges_vertices`.
-const FROM_EDGES: [&str; 5] = ["vertices_vertices", "vertices_edges", "edges_length", "edges_lengths", "edgeOrders"];
-/// Keys that follow from `edges_vertices` and `faces_vertices`.
-const FROM_FACES: [&str; 5] = ["vertices_faces", "edges_faces", "faces_edges", "faces_faces", "faceOrders"];
-
-/// Sets edges, letters and faces, our own keys with them. Drops keys that followed from others which are no longer the
-/// same: their counts, ends or order changed when the pattern was cleaned.
+/// Sets edges, letters and faces, our own keys with them.
 pub(super) fn set_topology(frame: &mut Frame, pattern: &CreasePattern) {
     let edges = pattern.edges.iter().map(|edge| edge.vertices.map(|vertex| vertex.0)).collect();
     let faces = pattern.faces.iter().map(|face| face.iter().map(|vertex| vertex.0).collect()).collect();
     let letters = (0..pattern.edges.len()).map(|edge| pattern.edges[stand_in_edge(pattern, edge)].assignment.letter());
-    let letters = letters.map(str::to_owned).collect();
-
-    let same_vertices = frame.vertices_coords.as_ref().map(Vec::len) == Some(pattern.vertices.len());
-    let same_edges = same_vertices && frame.edges_vertices.as_ref() == Some(&edges);
-    let same_faces = same_edges && frame.faces_vertices.as_ref() == Some(&faces);
-    frame.extra.retain(|key, _| {
-        let key = key.as_str();
-        (same_edges || !FROM_EDGES.contains(&key)) && (same_faces || !FROM_FACES.contains(&key))
-    });
+    let letters = letters.map(Cow::Borrowed).collect();
     frame.edges_vertices = Some(edges);
     frame.edges_assignment = Some(letters);
     frame.faces_vertices = Some(faces);

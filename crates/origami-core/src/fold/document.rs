@@ -1,5 +1,7 @@
 //! The shape of a FOLD file.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 use serde_json::{Map, Value};
 
@@ -58,8 +60,8 @@ pub struct Frame {
     pub vertices_coords: Option<Vec<Coordinates>>,
     /// `edges_vertices`.
     pub edges_vertices: Option<Vec<[u32; 2]>>,
-    /// `edges_assignment`, the letters as written.
-    pub edges_assignment: Option<Vec<String>>,
+    /// `edges_assignment`, the letters as written. Those of FOLD are borrowed, as there are millions of them.
+    pub edges_assignment: Option<Vec<Cow<'static, str>>>,
     /// `edges_foldAngle` (or 1.0's `edges_foldAngles`), in degrees, valley positive; `None` is `null`.
     pub edges_fold_angle: Option<Vec<Option<f64>>>,
     /// `faces_vertices`.

@@ -1,5 +1,7 @@
 //! Frames: which there are, and what they inherit.
 
+use std::borrow::Cow;
+
 use super::{Document, Frame, keys};
 use crate::error::Error;
 
@@ -27,10 +29,18 @@ impl Document {
     /// # Errors
     /// [`Error::Invalid`] if there is no such frame, if a parent does not exist or if frames inherit in a circle.
     pub fn frame(&self, index: usize) -> Result<Frame, Error> {
+        self.resolved(index).map(Cow::into_owned)
+    }
+
+    /// As [`Document::frame`], without a copy where the frame is written as a whole.
+    pub(crate) fn resolved(&self, index: usize) -> Result<Cow<'_, Frame>, Error> {
         let mut current = self.written_frame(index).ok_or_else(|| {
             let expected = format!("a frame from 0 to {}", self.frames.len());
             Error::invalid(format!("frame {index}"), "there is no such frame", expected)
         })?;
+        if current.parent.is_none() && !current.inherit && !current.extra.keys().any(|key| keys::is_metadata(key)) {
+            return Ok(Cow::Borrowed(current));
+        }
         let mut resolved = current.clone();
         let mut at = index;
         // A chain longer than there are frames visits one of them twice.
@@ -39,7 +49,7 @@ impl Document {
                 resolved.parent = None;
                 resolved.inherit = false;
                 resolved.extra.retain(|key, _| !keys::is_metadata(key));
-                return Ok(resolved);
+                return Ok(Cow::Owned(resolved));
             };
             current = self.written_frame(parent).ok_or_else(|| {
                 let expected = format!("a frame from 0 to {}", self.frames.len());

@@ -1,5 +1,6 @@
 //! How each kind of value is parsed, straight into its vector. Every message says what was expected.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use glam::DVec3;
@@ -133,6 +134,26 @@ impl<'de> Visitor<'de> for Pair {
             None => Ok(pair),
             Some(_) => Err(A::Error::custom("more than two numbers, expected two vertex indices")),
         }
+    }
+}
+
+/// A letter, or whatever stands in its place.
+#[derive(Clone, Copy)]
+pub(super) struct Letter;
+
+seed!(Letter => Cow<'static, str>, deserialize_str);
+
+impl Visitor<'_> for Letter {
+    type Value = Cow<'static, str>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a string")
+    }
+
+    fn visit_str<E: Error>(self, value: &str) -> Result<Self::Value, E> {
+        const LETTERS: [&str; 7] = ["B", "M", "V", "F", "U", "C", "J"];
+        let known = LETTERS.into_iter().find(|letter| *letter == value);
+        Ok(known.map_or_else(|| Cow::Owned(value.to_owned()), Cow::Borrowed))
     }
 }
 

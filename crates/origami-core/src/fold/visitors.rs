@@ -7,7 +7,7 @@ use std::marker::PhantomData;
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, Visitor};
 
 use super::keys::*;
-use super::seeds::{Any, Finite, Index, Items, Optional, Pair, Point, Twice};
+use super::seeds::{Any, Finite, Index, Items, Letter, Optional, Pair, Point, Twice};
 use super::{Document, Frame, place};
 use crate::error::Warning;
 
@@ -112,7 +112,7 @@ impl RawFrame {
     fn take<'de, A: MapAccess<'de>>(&mut self, key: String, object: &mut A) -> Result<(), A::Error> {
         const POINTS: Items<Point> = Items { expected: "an array of coordinates", item: Point };
         const PAIRS: Items<Pair> = Items { expected: "an array of pairs of vertex indices", item: Pair };
-        const LETTERS: Items<PhantomData<String>> = Items { expected: "an array of letters", item: PhantomData };
+        const LETTERS: Items<Letter> = Items { expected: "an array of letters", item: Letter };
         const ANGLES: Items<Optional<Finite>> =
             Items { expected: "an array of angles in degrees", item: Optional(Finite) };
         const LOOPS: Items<Items<Index>> = Items { expected: "an array of arrays of vertex indices", item: INDICES };

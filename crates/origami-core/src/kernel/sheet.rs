@@ -1,5 +1,7 @@
 //! A model laid out for the passes: elements side by side, as many as a lane is wide, field after field.
 
+use std::iter::{empty, repeat, repeat_n};
+
 use crate::forces::damping;
 use crate::ids::{NodeId, SideId};
 use crate::model::Model;
@@ -41,17 +43,6 @@ pub(super) struct Sheet<R> {
 /// A hinge and its nodes: ends, then apexes.
 const DUMMY: [[f64; 4]; 4] = [[0.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 0.0]];
 
-/// One triangle before it is laid out.
-#[derive(Clone, Copy)]
-struct Face {
-    corners: [u32; 3],
-    creases: [u32; 3],
-    rest_lengths: [f64; 3],
-    stiffness: [f64; 3],
-    damping: [f64; 3],
-    angles: [f64; 4],
-}
-
 impl<R: Real> Sheet<R> {
     /// Of `model`, `width` elements side by side.
     pub(super) fn new(model: &Model, width: usize) -> Self {
@@ -61,46 +52,66 @@ impl<R: Real> Sheet<R> {
         let no_hinge = [dummy(2), dummy(3), dummy(0), dummy(1)];
         // At least one of them is no crease: the one of sides that have none.
         let creases = if model.creases.is_empty() { 0 } else { (model.creases.len() + 1).next_multiple_of(width) };
-        let mut hinges: Vec<[u32; 4]> = model.creases.iter().map(|crease| crease.nodes.map(|n| n.0)).collect();
-        hinges.resize(creases, no_hinge);
+        let hinges = model.creases.iter().map(|crease| crease.nodes.map(|n| n.0));
         let mut stiffness: Vec<R> = model.creases.iter().map(|crease| R::of(crease.stiffness)).collect();
         stiffness.resize(creases, R::of(0.0));
 
-        let (faces, loose) = elements(model);
-        let no_face = Face {
-            corners: [dummy(0), dummy(1), dummy(2)],
-            creases: [SideId::new(model.creases.len()).0; 3],
-            rest_lengths: [1.0; 3],
-            stiffness: [0.0; 3],
-            damping: [0.0; 3],
-            angles: [1.0, 0.0, 1.0, 0.0],
-        };
         let damped = model.material.zeta > 0.0;
-        let has_corners = !model.corner_angles.is_empty();
-        let (rows, slots) = slots(model, width, &faces, &loose);
-        let no_loose = ([dummy(0), dummy(1)], [1.0, 0.0, 0.0]);
-        Self {
+        let faces = model.mesh.triangles.len().next_multiple_of(width);
+        let corners = model.mesh.triangles.iter().map(|corners| corners.map(|n| n.0));
+        let no_face = [dummy(0), dummy(1), dummy(2)];
+        let no_creases = [SideId::new(model.creases.len()).0; 3];
+        let no_beams = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(R::of);
+        let loose: Vec<Loose> = loose(model).collect();
+        let loose_beams = loose.len().next_multiple_of(width);
+        let ends = loose.iter().map(|(ends, _)| *ends);
+        let beams = loose.iter().map(|(_, beam)| beam.map(R::of));
+        let (rows, slots) = slots(model, width, &loose);
+        let mut sheet = Self {
             nodes,
-            hinges: chunks(&hinges, no_hinge, width, |nodes| *nodes),
+            hinges: chunks(width, creases, hinges, no_hinge),
             stiffness,
-            corners: chunks(&faces, no_face, width, |face| face.corners),
-            creases: if creases > 0 { chunks(&faces, no_face, width, |face| face.creases) } else { Vec::new() },
-            beams: chunks(&faces, no_face, width, |face| {
-                let ([a, b, c], [k_a, k_b, k_c]) = (face.rest_lengths, face.stiffness);
-                [a, b, c, k_a, k_b, k_c].map(R::of)
-            }),
-            damping: if damped { chunks(&faces, no_face, width, |face| face.damping.map(R::of)) } else { Vec::new() },
-            angles: if has_corners {
-                chunks(&faces, no_face, width, |face| face.angles.map(R::of))
-            } else {
-                Vec::new()
-            },
-            loose_ends: chunks(&loose, no_loose, width, |(ends, _)| *ends),
-            loose_beams: chunks(&loose, no_loose, width, |(_, beam)| beam.map(R::of)),
+            corners: chunks(width, faces, corners, no_face),
+            creases: chunks(width, if creases > 0 { faces } else { 0 }, empty(), no_creases),
+            beams: chunks(width, faces, empty(), no_beams),
+            damping: chunks(width, if damped { faces } else { 0 }, empty(), [R::of(0.0); 3]),
+            angles: angles(model, width),
+            loose_ends: chunks(width, loose_beams, ends, [dummy(0), dummy(1)]),
+            loose_beams: chunks(width, loose_beams, beams, [1.0, 0.0, 0.0].map(R::of)),
             rows,
             slots,
             k_face: model.material.k_face,
             damped,
+        };
+        sheet.take_sides(model, width);
+        sheet
+    }
+
+    /// Takes what lies on the sides of the triangles.
+    fn take_sides(&mut self, model: &Model, width: usize) {
+        let mut crease_of_side = vec![SideId::new(model.creases.len()).0; model.beams.len()];
+        for (c, crease) in model.creases.iter().enumerate() {
+            crease_of_side[crease.side.index()] = SideId::new(c).0;
+        }
+        let beams = model.beams.iter().zip(damping::coefficients(model)).zip(crease_of_side);
+        for (side, ((beam, damping), crease)) in model.mesh.sides.iter().zip(beams) {
+            let triangles = side.triangles.iter().flatten();
+            // Two faces do half of a beam each.
+            let part = 1.0 / triangles.clone().count() as f64;
+            for triangle in triangles {
+                let (t, corners) = (triangle.index(), &model.mesh.triangles[triangle.index()]);
+                let place =
+                    (0..3).find(|i| side.nodes.contains(&corners[*i]) && side.nodes.contains(&corners[(i + 1) % 3]));
+                let place = place.expect("a side of a triangle joins two of its corners");
+                self.beams[at(width, t, (place, 6))] = R::of(beam.rest_length);
+                self.beams[at(width, t, (3 + place, 6))] = R::of(part * beam.stiffness);
+                if !self.creases.is_empty() {
+                    self.creases[at(width, t, (place, 3))] = crease;
+                }
+                if !self.damping.is_empty() {
+                    self.damping[at(width, t, (place, 3))] = R::of(part * damping);
+                }
+            }
         }
     }
 
@@ -115,96 +126,77 @@ impl<R: Real> Sheet<R> {
     }
 }
 
-/// A list field after field, chunk by chunk, filled up with `filling`.
-fn chunks<E, T: Copy, const FIELDS: usize>(
-    list: &[E],
-    filling: E,
+/// Where a field, given as one of so many, of element `e` lies: field after field, chunk by chunk.
+fn at(width: usize, e: usize, (field, fields): (usize, usize)) -> usize {
+    (e / width * fields + field) * width + e % width
+}
+
+/// So many elements laid out so: `elements`, then as many of `filling` as there is room for.
+fn chunks<T: Copy, const FIELDS: usize>(
     width: usize,
-    fields: impl Fn(&E) -> [T; FIELDS],
+    count: usize,
+    elements: impl Iterator<Item = [T; FIELDS]>,
+    filling: [T; FIELDS],
 ) -> Vec<T> {
-    let mut laid_out = Vec::with_capacity(list.len().next_multiple_of(width) * FIELDS);
-    for chunk in list.chunks(width) {
-        let filled = || chunk.iter().chain(std::iter::repeat(&filling)).take(width);
-        for field in 0..FIELDS {
-            laid_out.extend(filled().map(|element| fields(element)[field]));
+    let mut laid_out = vec![filling[0]; count * FIELDS];
+    for (e, element) in elements.chain(repeat(filling)).take(count).enumerate() {
+        for (field, value) in element.into_iter().enumerate() {
+            laid_out[at(width, e, (field, FIELDS))] = value;
         }
     }
     laid_out
 }
 
+/// Cosine and sine of the first angle of each triangle and of the second; none where no triangle has springs there.
+fn angles<R: Real>(model: &Model, width: usize) -> Vec<R> {
+    let faces = if model.corner_angles.is_empty() { 0 } else { model.mesh.triangles.len() };
+    let without = repeat_n([R::of(0.0); 4], faces);
+    let mut angles = chunks(width, faces.next_multiple_of(width), without, [1.0, 0.0, 1.0, 0.0].map(R::of));
+    for own in &model.corner_angles {
+        let [(cos, sin), (next_cos, next_sin)] = own.rest;
+        for (field, value) in [cos, sin, next_cos, next_sin].into_iter().enumerate() {
+            angles[at(width, own.triangle.index(), (field, 4))] = R::of(value);
+        }
+    }
+    angles
+}
+
 /// A beam outside any face: its ends; rest length, stiffness and damping.
 type Loose = ([u32; 2], [f64; 3]);
 
-/// The triangles with what lies on their sides, and the beams outside any.
-fn elements(model: &Model) -> (Vec<Face>, Vec<Loose>) {
-    let none = SideId::new(model.creases.len()).0;
-    let mut crease_of_side = vec![none; model.beams.len()];
-    for (c, crease) in model.creases.iter().enumerate() {
-        crease_of_side[crease.side.index()] = SideId::new(c).0;
-    }
-    let faces = model.mesh.triangles.iter().map(|corners| Face {
-        corners: corners.map(|n| n.0),
-        creases: [none; 3],
-        rest_lengths: [1.0; 3],
-        stiffness: [0.0; 3],
-        damping: [0.0; 3],
-        angles: [0.0; 4],
-    });
-    let mut faces: Vec<Face> = faces.collect();
-    for own in &model.corner_angles {
-        let [(cos, sin), (next_cos, next_sin)] = own.rest;
-        faces[own.triangle.index()].angles = [cos, sin, next_cos, next_sin];
-    }
-    let mut loose = Vec::new();
-    let beams = model.mesh.sides.iter().zip(&model.beams).zip(damping::coefficients(model)).enumerate();
-    for (s, ((side, beam), damping)) in beams {
-        let triangles = side.triangles.iter().flatten();
-        // Two faces do half of a beam each.
-        let part = 1.0 / triangles.clone().count() as f64;
-        if part.is_infinite() {
-            loose.push((beam.nodes.map(|n| n.0), [beam.rest_length, beam.stiffness, damping]));
-        }
-        for triangle in triangles {
-            let face = &mut faces[triangle.index()];
-            let ends = side.nodes.map(|n| n.0);
-            let place = (0..3).find(|i| ends.contains(&face.corners[*i]) && ends.contains(&face.corners[(i + 1) % 3]));
-            let place = place.expect("a side of a triangle joins two of its corners");
-            face.creases[place] = crease_of_side[s];
-            face.rest_lengths[place] = beam.rest_length;
-            face.stiffness[place] = part * beam.stiffness;
-            face.damping[place] = part * damping;
-        }
-    }
-    (faces, loose)
+fn loose(model: &Model) -> impl Iterator<Item = Loose> {
+    let beams = model.mesh.sides.iter().zip(&model.beams).zip(damping::coefficients(model));
+    let loose = beams.filter(|((side, _), _)| side.triangles == [None; 2]);
+    loose.map(|((_, beam), damping)| (beam.nodes.map(|n| n.0), [beam.rest_length, beam.stiffness, damping]))
 }
 
 /// For each node the slots of its forces: those of faces in their order, then those of loose beams.
-fn slots(model: &Model, width: usize, faces: &[Face], loose: &[Loose]) -> (Vec<u32>, Vec<u32>) {
+fn slots(model: &Model, width: usize, loose: &[Loose]) -> (Vec<u32>, Vec<u32>) {
     let nodes = model.node_count();
-    // Written side by side, so that threads can share the list out.
-    let slot = |e: usize, fields: usize, field: usize| (e / width * fields + field) * width + e % width;
-    let first_loose = faces.len().next_multiple_of(width) * 3;
-    let of_faces = faces.iter().enumerate().flat_map(|(f, face)| (0..3).map(move |i| (face.corners[i], slot(f, 3, i))));
-    let of_loose = loose.iter().enumerate();
-    let of_loose = of_loose.flat_map(|(b, (ends, _))| (0..2).map(move |i| (ends[i], first_loose + slot(b, 2, i))));
+    let triangles = model.mesh.triangles.iter().enumerate();
+    let first_loose = triangles.len().next_multiple_of(width) * 3;
+    let of_faces = triangles.flat_map(|(t, corners)| (0..3).map(move |i| (corners[i].index(), at(width, t, (i, 3)))));
+    let of_loose = loose
+        .iter()
+        .enumerate()
+        .flat_map(|(b, (ends, _))| (0..2).map(move |i| (ends[i] as usize, first_loose + at(width, b, (i, 2)))));
     let mut free = vec![true; nodes];
     for node in &model.fixed {
         free[node.index()] = false;
     }
-    let all: Vec<(u32, usize)> = of_faces.chain(of_loose).filter(|(n, _)| free[*n as usize]).collect();
+    let all = of_faces.chain(of_loose).filter(|(n, _)| free[*n]);
     let mut rows = vec![0_u32; nodes + 1];
-    for (n, _) in &all {
-        rows[*n as usize + 1] += 1;
+    for (n, _) in all.clone() {
+        rows[n + 1] += 1;
     }
     for n in 0..nodes {
         rows[n + 1] += rows[n];
     }
     let mut next = rows.clone();
-    let mut slots = vec![0; all.len()];
+    let mut slots = vec![0; rows[nodes] as usize];
     for (n, slot) in all {
-        let place = &mut next[n as usize];
-        slots[*place as usize] = NodeId::new(slot).0;
-        *place += 1;
+        slots[next[n] as usize] = NodeId::new(slot).0;
+        next[n] += 1;
     }
     (rows, slots)
 }

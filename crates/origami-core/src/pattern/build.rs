@@ -185,12 +185,15 @@ fn finish(draft: Draft, mut vertices: Vec<DVec3>, in_file: [usize; 2], scale: f6
         ea: edge.ea,
         alias_of: edge.alias.map(EdgeId),
     };
+    let mut edges: Vec<PatternEdge> = draft.edges.into_iter().map(edge).collect();
+    // They were made where the larger ones lay.
+    edges.shrink_to_fit();
     let live_fixed = |&v: &usize| draft.fixed[v] && draft.vertex_alias[v].is_none();
     CreasePattern {
         fixed: (0..vertices.len()).filter(live_fixed).map(VertexId::new).collect(),
         vertices,
         alias_of: draft.vertex_alias.into_iter().map(|alias| alias.map(VertexId)).collect(),
-        edges: draft.edges.into_iter().map(edge).collect(),
+        edges,
         faces: draft.faces.into_iter().map(|face| face.into_iter().map(VertexId).collect()).collect(),
         vertices_in_file: in_file[0],
         edges_in_file: in_file[1],

@@ -22,7 +22,7 @@ impl CreasePattern {
     /// # Errors
     /// As for [`Document::frame`] and [`CreasePattern::from_frame`].
     pub fn from_document(document: &Document, frame: usize) -> Result<Self, Error> {
-        let mut pattern = Self::from_frame(&document.frame(frame)?)?;
+        let mut pattern = Self::from_frame(&*document.resolved(frame)?)?;
         pattern.warnings.splice(0..0, document.warnings.iter().cloned());
         Ok(pattern)
     }

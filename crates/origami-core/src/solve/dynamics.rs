@@ -11,7 +11,7 @@ use super::{
     time_step,
 };
 use crate::forces::damping;
-use crate::kernel::{Compute, Kernel};
+use crate::kernel::Compute;
 use crate::model::{Inventory, Model};
 
 /// Steps between two renewals of [`TimeStep::Safe`]. At 20 a jump of creases 10 000 times stiffer than by default leaves the
@@ -97,7 +97,8 @@ impl Dynamics {
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
         let mut ramp = Ramp::new(&start.targets, model.targets(percent), self.ramp);
-        let mut motion = Motion::<R>::new(model, start, start.clone(), self.tolerance, threads);
+        let moving = (start.positions.clone(), &start.velocities[..]);
+        let mut motion = Motion::<R>::new(model, start, moving, self.tolerance, threads);
         let mut clock = Clock::new(self, model);
         let damped = model.material.zeta > 0.0;
         motion.kernel.aim(&ramp.targets);
@@ -138,24 +139,25 @@ impl Dynamics {
             }
         };
 
-        motion.read();
+        let arrives = self.integrator == Integrator::Verlet && steps > 0;
+        if arrives {
+            motion.read_accelerations();
+        }
         let end = (percent, stop, steps, clock.dt);
-        Ok(motion.into_folded(ramp.into_asked(), end, |kernel, state, forces| {
-            if self.integrator == Integrator::Verlet && steps > 0 {
-                arrive(model, kernel, state, forces, clock.previous);
+        Ok(motion.into_folded(ramp.into_asked(), end, |state, before, forces| {
+            if arrives {
+                arrive(model, state, before, forces, clock.previous);
             }
         }))
     }
 }
 
-/// Ends the last step of [`Integrator::Verlet`], whose velocity is extrapolated to its end by the acceleration before.
+/// Ends the last step of [`Integrator::Verlet`], whose velocity is extrapolated to its end by the accelerations `before`.
 /// `forces` are those of the springs alone.
-fn arrive<R: Compute>(model: &Model, kernel: &Kernel<R>, state: &mut State, forces: &mut [DVec3], time_step: f64) {
+fn arrive(model: &Model, state: &mut State, before: &[DVec3], forces: &mut [DVec3], time_step: f64) {
     damping::add(model, &state.velocities, forces);
-    let mut before = Vec::new();
-    kernel.read_accelerations(&mut before);
     for ((v, force), before) in state.velocities.iter_mut().zip(forces).zip(before) {
-        *v += (*force - before) * (0.5 * time_step);
+        *v += (*force - *before) * (0.5 * time_step);
     }
 }
 

@@ -72,13 +72,15 @@ impl Quantity {
 #[derive(Debug)]
 pub(super) struct Guard<'m> {
     model: &'m Model,
-    last_good: State,
-    last_good_step: u64,
+    start: &'m State,
+    /// The last good state; none before the first one is copied: until then that is the start. Without targets.
+    copy: Option<State>,
+    copied_at: u64,
 }
 
 impl<'m> Guard<'m> {
-    pub(super) fn new(model: &'m Model, start: &State) -> Self {
-        Self { model, last_good: start.clone(), last_good_step: 0 }
+    pub(super) fn new(model: &'m Model, start: &'m State) -> Self {
+        Self { model, start, copy: None, copied_at: 0 }
     }
 
     /// Whether one node is where it can be, and came there in a step that it can take. NaN is not.
@@ -91,19 +93,33 @@ impl<'m> Guard<'m> {
     }
 
     /// After step `step`, which moved every node by `time_step` times its velocity: an error where one is out of bounds;
-    /// at every [`COPY_EVERY`]th a copy of a good state.
+    /// at every [`COPY_EVERY`]th a copy of a good state, whose targets are those of the start.
     pub(super) fn check(&mut self, step: u64, state: &State, time_step: f64) -> Result<(), Diverged> {
         let nodes = || state.positions.iter().zip(&state.velocities).map(|(p, v)| (*p, *v * time_step));
         if let Some((node, (p, moved))) = nodes().enumerate().find(|(_, (p, moved))| !Self::holds(*p, *moved)) {
-            let last_good = Box::new(self.last_good.clone());
-            return Err(Diverged::new(self.model, (NodeId::new(node), p, moved), step, last_good, self.last_good_step));
+            let last_good = Box::new(self.last_good());
+            return Err(Diverged::new(self.model, (NodeId::new(node), p, moved), step, last_good, self.copied_at));
         }
         let good = |(p, moved)| Self::within(p, moved, GOOD_POSITION, GOOD_MOVE);
         if step.is_multiple_of(COPY_EVERY) && nodes().all(good) {
-            self.last_good.clone_from(state);
-            self.last_good_step = step;
+            self.copy(state);
+            self.copied_at = step;
         }
         Ok(())
+    }
+
+    /// Into the memory of the copy before.
+    fn copy(&mut self, state: &State) {
+        let State { positions, velocities, fold_angles, .. } = state;
+        let copy = self.copy.get_or_insert_default();
+        copy.positions.clone_from(positions);
+        copy.velocities.clone_from(velocities);
+        copy.fold_angles.clone_from(fold_angles);
+    }
+
+    fn last_good(&self) -> State {
+        let copy = self.copy.as_ref().map(|copy| State { targets: self.start.targets.clone(), ..copy.clone() });
+        copy.unwrap_or_else(|| self.start.clone())
     }
 }
 

@@ -1,5 +1,7 @@
 //! What both solvers do around their steps: reading the kernel's state, watching it, and handing it over.
 
+use glam::DVec3;
+
 use super::guard::{COPY_EVERY, Diverged, FARTHEST, Guard, LONGEST_MOVE};
 use super::settle::Settling;
 use super::{Folded, State, Stop, largest};
@@ -7,7 +9,7 @@ use crate::forces::Forces;
 use crate::kernel::{Bounds, Compute, Kernel};
 use crate::model::Model;
 
-/// A sheet in motion. `state` is what was last read.
+/// A sheet in motion. `state` is what was last read; it has no targets, and nothing but positions at first.
 pub(super) struct Motion<'m, R: Compute> {
     pub(super) model: &'m Model,
     pub(super) kernel: Kernel<R>,
@@ -15,18 +17,24 @@ pub(super) struct Motion<'m, R: Compute> {
     pub(super) settling: Settling,
     guard: Guard<'m>,
     /// Where velocities are extrapolated by them.
-    accelerations: Vec<glam::DVec3>,
+    accelerations: Vec<DVec3>,
 }
 
 impl<'m, R: Compute> Motion<'m, R> {
-    /// From `state`, which came of `start`: what is handed back where it diverges at once. `threads` of this thread's
-    /// pool share the passes.
-    pub(super) fn new(model: &'m Model, start: &State, state: State, tolerance: f64, threads: usize) -> Self {
+    /// The sheet of `start`, which is handed back where it diverges at once, with its nodes at `positions` and moving at
+    /// `velocities`; all at rest where there are none. `threads` of this thread's pool share the passes.
+    pub(super) fn new(
+        model: &'m Model,
+        start: &'m State,
+        (positions, velocities): (Vec<DVec3>, &[DVec3]),
+        tolerance: f64,
+        threads: usize,
+    ) -> Self {
         let bounds = Bounds { farthest: FARTHEST, longest_move: LONGEST_MOVE };
         Self {
             model,
-            kernel: Kernel::new(model, bounds, &state.positions, &state.velocities, &state.fold_angles, threads),
-            state,
+            kernel: Kernel::new(model, bounds, &positions, velocities, &start.fold_angles, threads),
+            state: State { positions, ..State::default() },
             settling: Settling::new(model, tolerance),
             guard: Guard::new(model, start),
             accelerations: Vec::new(),
@@ -51,7 +59,7 @@ impl<'m, R: Compute> Motion<'m, R> {
         }
         self.read();
         if ahead > 0.0 {
-            self.kernel.read_accelerations(&mut self.accelerations);
+            self.read_accelerations();
             for (velocity, acceleration) in self.state.velocities.iter_mut().zip(&self.accelerations) {
                 *velocity -= *acceleration * ahead;
             }
@@ -70,22 +78,31 @@ impl<'m, R: Compute> Motion<'m, R> {
 
     pub(super) fn read(&mut self) {
         self.read_nodes();
+        self.state.fold_angles.resize(self.model.creases.len(), 0.0);
         self.kernel.read_angles(&mut self.state.fold_angles);
     }
 
-    /// The state that was last read, asked for `targets`; `end` gets it with its forces.
+    pub(super) fn read_accelerations(&mut self) {
+        self.kernel.read_accelerations(&mut self.accelerations);
+    }
+
+    /// The state, asked for `targets`; `end` gets it with the accelerations that were last read and its forces.
     pub(super) fn into_folded(
         mut self,
         targets: Vec<f64>,
         (percent, stop, steps, time_step): (f64, Stop, u64, f64),
-        end: impl FnOnce(&Kernel<R>, &mut State, &mut [glam::DVec3]),
+        end: impl FnOnce(&mut State, &[DVec3], &mut [DVec3]),
     ) -> Folded {
-        self.state.targets = targets;
-        let mut forces = Forces::new(self.model);
-        let values = forces.evaluate(&self.state.positions, &self.state.targets, &mut self.state.fold_angles);
+        self.read();
+        let Self { model, kernel, state, settling, guard, accelerations } = self;
+        let distance = settling.distance();
+        // A large sheet's forces need the memory.
+        drop((kernel, settling, guard));
+        let mut state = State { targets, ..state };
+        let mut forces = Forces::new(model);
+        let values = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles);
         let residual = largest(values);
-        end(&self.kernel, &mut self.state, values);
-        let distance = self.settling.distance();
-        Folded { state: self.state, percent, stop, steps, time_step, residual, distance, attempts: 1 }
+        end(&mut state, &accelerations, values);
+        Folded { state, percent, stop, steps, time_step, residual, distance, attempts: 1 }
     }
 }

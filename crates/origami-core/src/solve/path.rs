@@ -36,9 +36,10 @@ pub fn fold_path(
 ) -> Result<Vec<Folded>, PathFailed> {
     let mut states: Vec<Folded> = Vec::with_capacity(percents.len());
     let mut session = solver.session(model);
+    let rest = State::at_rest(model);
     for (stage, &percent) in percents.iter().enumerate() {
-        let start = states.last().map_or_else(|| State::at_rest(model), |folded| folded.state.clone());
-        match session.fold(&start, percent, &mut |progress| observe(stage, progress)) {
+        let start = states.last().map_or(&rest, |folded| &folded.state);
+        match session.fold(start, percent, &mut |progress| observe(stage, progress)) {
             Ok(folded) => states.push(folded),
             Err(failed) => return Err(PathFailed { states, percent, failed }),
         }

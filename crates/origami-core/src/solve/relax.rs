@@ -1,5 +1,7 @@
 //! Relaxation: the folded state, without the motion that leads to it.
 
+use glam::DVec3;
+
 use super::fire::Fire;
 use super::motion::Motion;
 use super::perturb::perturb;
@@ -167,11 +169,20 @@ impl Relax {
     /// Where an attempt begins: at rest, and off every symmetry where there is something to be folded.
     #[must_use]
     pub fn beginning(&self, model: &Model, start: &State, percent: f64) -> State {
-        let mut state = State { velocities: vec![glam::DVec3::ZERO; model.node_count()], ..start.clone() };
-        if self.perturbation > 0.0 && model.targets(percent) != start.targets {
-            perturb(model, &mut state.positions, self.perturbation, 0);
+        State {
+            positions: self.first_positions(model, start, percent),
+            velocities: vec![DVec3::ZERO; model.node_count()],
+            fold_angles: start.fold_angles.clone(),
+            targets: start.targets.clone(),
         }
-        state
+    }
+
+    fn first_positions(&self, model: &Model, start: &State, percent: f64) -> Vec<DVec3> {
+        let mut positions = start.positions.clone();
+        if self.perturbation > 0.0 && model.targets(percent) != start.targets {
+            perturb(model, &mut positions, self.perturbation, 0);
+        }
+        positions
     }
 
     fn attempts<R: Compute>(
@@ -206,7 +217,8 @@ impl Relax {
         observe: &mut dyn FnMut(Progress),
     ) -> Result<Folded, Failed> {
         let mut ramp = Ramp::new(&start.targets, model.targets(percent), ramp);
-        let mut motion = Motion::<R>::new(model, start, self.beginning(model, start, percent), self.tolerance, threads);
+        let resting = (self.first_positions(model, start, percent), &[][..]);
+        let mut motion = Motion::<R>::new(model, start, resting, self.tolerance, threads);
         let mut fire = Fire::new(model);
         motion.kernel.aim(&ramp.targets);
         let mut turned = 0.0;
@@ -233,8 +245,10 @@ impl Relax {
             }
         };
 
-        motion.read();
-        motion.state.velocities.fill(glam::DVec3::ZERO);
-        Ok(motion.into_folded(ramp.into_asked(), (percent, stop, steps, fire.step()), |_, _, _| {}))
+        let (targets, time_step) = (ramp.into_asked(), fire.step());
+        drop(fire);
+        Ok(motion.into_folded(targets, (percent, stop, steps, time_step), |state, _, _| {
+            state.velocities.fill(DVec3::ZERO);
+        }))
     }
 }

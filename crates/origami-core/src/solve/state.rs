@@ -8,7 +8,7 @@ use crate::model::Model;
 
 /// Everything that a solver carries from step to step. Fold angles are a part of it: positions alone do not tell how
 /// often a crease has turned.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// By node, in radii of the sheet.
     pub positions: Vec<DVec3>,

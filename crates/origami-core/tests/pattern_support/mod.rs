@@ -25,7 +25,7 @@ pub fn spatial(coords: &[[f64; 3]], edges: &[[u32; 2]], letters: &str, faces: &[
     Frame {
         vertices_coords: Some(coords.iter().map(position).collect()),
         edges_vertices: (!edges.is_empty()).then(|| edges.to_vec()),
-        edges_assignment: (!letters.is_empty()).then(|| letters.chars().map(String::from).collect()),
+        edges_assignment: (!letters.is_empty()).then(|| letters.chars().map(|l| l.to_string().into()).collect()),
         faces_vertices: (!faces.is_empty()).then(|| faces.iter().map(|face| face.to_vec()).collect()),
         ..Frame::default()
     }

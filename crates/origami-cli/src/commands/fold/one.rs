@@ -1,5 +1,6 @@
 //! One input: read, build, solve, write.
 
+use origami::export::Template;
 use origami::model::Model;
 use origami::solve::{Failed, Progress, Stop, fold_path};
 use origami::{CreasePattern, Error, Warning, measure};
@@ -60,6 +61,8 @@ fn attempt(
     let index = settings.frame.map_or_else(|| document.pattern_frame(), Ok)?;
     let pattern = CreasePattern::from_document(&document, index)?;
     told.warnings.clone_from(&pattern.warnings);
+    let template = Template::new(&document, index, &pattern)?;
+    drop(document);
     let model = Model::new(&pattern, &settings.material)?;
     seconds.build = watch.lap();
 
@@ -124,8 +127,7 @@ fn attempt(
     };
     let mut drawing = watch.lap();
     let sheet = Sheet {
-        document: &document,
-        frame: index,
+        template: &template,
         pattern: &pattern,
         model: &model,
         states: &states,

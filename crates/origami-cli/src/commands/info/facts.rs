@@ -1,5 +1,6 @@
 //! What can be said of a file without folding it. docs/REPORT.md documents the keys.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use origami::fold::{Document, Frame};
@@ -42,7 +43,7 @@ pub(super) struct File {
     pub(super) vertices: usize,
     pub(super) edges: Option<usize>,
     pub(super) faces: Option<usize>,
-    pub(super) letters: Option<BTreeMap<String, usize>>,
+    pub(super) letters: Option<BTreeMap<Cow<'static, str>, usize>>,
 }
 
 /// What it was read as.

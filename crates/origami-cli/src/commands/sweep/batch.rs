@@ -1,6 +1,6 @@
 //! So many sheets at once as memory holds.
 
-use origami::fold::Document;
+use origami::export::Template;
 use origami::model::{Inventory, Model};
 use origami::solve::{Failed, Folded, Instance, Point, Solver, Sweep};
 use origami::{CreasePattern, Error, Warning};
@@ -20,8 +20,7 @@ const NODES_AT_ONCE: usize = 1 << 18;
 
 /// What is to be done.
 pub(super) struct Work<'a> {
-    pub(super) document: &'a Document,
-    pub(super) frame: usize,
+    pub(super) template: &'a Template,
     pub(super) pattern: &'a CreasePattern,
     pub(super) sweep: &'a Sweep,
     pub(super) solver: &'a dyn Solver,
@@ -156,8 +155,7 @@ impl Work<'_> {
     fn write(&self, index: usize, model: &Model, folded: Folded) -> Result<Vec<String>, Error> {
         let artist = Artist::default();
         let sheet = Sheet {
-            document: self.document,
-            frame: self.frame,
+            template: self.template,
             pattern: self.pattern,
             model,
             states: &[folded],

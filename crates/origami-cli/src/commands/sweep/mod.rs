@@ -6,7 +6,7 @@ mod shares;
 mod summary;
 
 use origami::CreasePattern;
-use origami::export::write_whole;
+use origami::export::{Template, write_whole};
 
 use crate::args::PictureArgs;
 use crate::args::SweepArgs;
@@ -44,6 +44,8 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let mut seconds = Seconds { read: watch.lap(), ..Seconds::default() };
     let frame = args.frame.map_or_else(|| document.pattern_frame(), Ok).map_err(told)?;
     let pattern = CreasePattern::from_document(&document, frame).map_err(told)?;
+    let template = Template::new(&document, frame, &pattern).map_err(told)?;
+    drop(document);
     // A GPU is filled by all sheets together.
     let place = backend.place(&method, pattern.vertices.len().saturating_mul(count));
     if !args.quiet {
@@ -53,8 +55,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
 
     let line = ProgressLine::of_sheets(count, args.quiet);
     let work = Work {
-        document: &document,
-        frame,
+        template: &template,
         pattern: &pattern,
         sweep: &sweep,
         solver: place.solver.as_ref(),

@@ -2,8 +2,9 @@
 //! default material. All start 200 steps after the jump from flat, in which creases turn so fast that angles cost more.
 //!
 //! Measured: [`Dynamics`] (springs, damping, Euler) and [`Relax`] (springs, the sums and moves of FIRE, its masses every 50
-//! steps), in f64 and mixed, with what the processor's best instructions are; and, for comparison in the same run, the plain
-//! scalar step: the formulas of [`origami::forces`] one after the other. What is named after a number of threads is shared
+//! steps), in f64 and mixed, with what the processor's best instructions are; and, for comparison in the same run, two scalar
+//! steps: `printed`, the paper's formulas as they stand there, each beam, crease and corner angle by itself with an arcus
+//! tangent for every angle; and `plain`, those of [`origami::forces`], which share what they can and keep to short series. What is named after a number of threads is shared
 //! out among them, as far as that is faster: `RAYON_NUM_THREADS` sets their number. Criterion's `elem/s` are nodes times
 //! steps per second; 1 / that is the time per node and step. The group `build` measures what comes before the first step,
 //! per node. Reading and writing files is not measured.
@@ -19,6 +20,11 @@ use origami::solve::threads::NODES_A_THREAD;
 use origami::solve::{Precision, time_step};
 use origami::{CreasePattern, Dynamics, Material, Model, Relax, Solver, State, generate};
 
+#[path = "../tests/common/printed.rs"]
+mod printed;
+
+use printed::Printed;
+
 fn cpu_step(c: &mut Criterion) {
     let mut group = c.benchmark_group("cpu_step");
     group.sample_size(10).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(4));
@@ -33,6 +39,9 @@ fn cpu_step(c: &mut Criterion) {
         // So many that copying the start and allocating do not count.
         let steps = (2_000_000 / nodes).max(100);
         group.throughput(Throughput::Elements(nodes * steps));
+        group.bench_function(BenchmarkId::new("printed", nodes), |b| {
+            b.iter(|| black_box(printed_steps(&model, &start, steps)));
+        });
         group.bench_function(BenchmarkId::new("plain", nodes), |b| {
             b.iter(|| black_box(plain_steps(&model, &start, steps)));
         });
@@ -58,7 +67,19 @@ fn cpu_step(c: &mut Criterion) {
     group.finish();
 }
 
-/// The steps of [`Dynamics`] by the plain formulas.
+/// The steps of [`Dynamics`] by the printed formulas.
+fn printed_steps(model: &Model, start: &State, steps: u64) -> State {
+    let mut state = start.clone();
+    let targets = model.targets(60.0);
+    let mut printed = Printed::new(model);
+    let dt = time_step::paper(model);
+    for _ in 0..steps {
+        printed.step(&mut state, &targets, dt);
+    }
+    state
+}
+
+/// The same by the plain formulas.
 fn plain_steps(model: &Model, start: &State, steps: u64) -> State {
     let mut state = start.clone();
     let targets = model.targets(60.0);

@@ -30,15 +30,19 @@ pub(super) fn small_angle_of<L: Lane>(y: Num<L>, x: Num<L>) -> Num<L> {
     if small.all() { angle } else { small.select(angle, angle_of(y, x)) }
 }
 
-/// `t + t^3 (...)`, by Horner's rule.
+/// `t + t^3 (...)`, by Horner's rule in two halves, of which neither waits for the other.
 #[inline(always)]
 fn series<L: Lane>(coefficients: &[f64], t: Num<L>) -> Num<L> {
     let q = t * t;
-    let mut sum = Num::splat(t.lane, coefficients[0]);
-    for coefficient in &coefficients[1..] {
-        sum = sum.mul_add(q, Num::splat(t.lane, *coefficient));
+    let q2 = q * q;
+    let last = coefficients.len() - 1;
+    let [mut even, mut odd] = [Num::splat(t.lane, 0.0); 2];
+    for (i, coefficient) in coefficients.iter().enumerate() {
+        let coefficient = Num::splat(t.lane, *coefficient);
+        let half = if (last - i).is_multiple_of(2) { &mut even } else { &mut odd };
+        *half = if i < 2 { coefficient } else { half.mul_add(q2, coefficient) };
     }
-    (t * q).mul_add(sum, t)
+    (t * q).mul_add(odd.mul_add(q, even), t)
 }
 
 /// The angle equal to `angle` up to whole turns that lies nearest to `previous`.

@@ -67,11 +67,17 @@ fn fields<const N: usize, L: Mesh>(lane: L, list: &[L::Real], chunk: usize) -> [
     fields
 }
 
-/// 0 for 0: what has shrunk to nothing has no direction, and so no force.
+/// The inverses of two numbers, by one division. 0 for 0: what has shrunk to nothing has no direction, and so no force.
 #[inline(always)]
-fn inverse<L: Mesh>(x: Num<L>) -> Num<L> {
-    let inverse = Num::splat(x.lane, 1.0) / x;
-    Num::splat(x.lane, L::Real::LEAST).less(x).select(inverse, Num::splat(x.lane, 0.0))
+fn inverses<L: Mesh>(a: Num<L>, b: Num<L>) -> [Num<L>; 2] {
+    let lane = a.lane;
+    let [zero, one] = [0.0, 1.0].map(|x| Num::splat(lane, x));
+    // Such that a product of two does not vanish.
+    let least = Num::splat(lane, L::Real::LEAST.sqrt());
+    let (no_a, no_b) = (a.less(least), b.less(least));
+    let (a, b) = (no_a.select(one, a), no_b.select(one, b));
+    let both = one / (a * b);
+    [no_a.select(zero, both * b), no_b.select(zero, both * a)]
 }
 
 /// The angle at a corner less that at rest, by turning its cosine and sine back. The products are rounded before their
@@ -169,7 +175,7 @@ impl<R: Real> Input<'_, R> {
         let (a, b, c) = thirds::<L>(corners);
         let Shape { sides: [ab, bc, ca], squares, lengths: [l_ab, l_bc, l_ca], dots, normal, doubled_area } =
             Shape::of(lane, self.places, corners);
-        let [over_ab, over_bc, over_ca] = [inverse(l_ab), inverse(l_bc), inverse(l_ca)];
+        let ([over_ab, over_bc], [over_ca, over_area]) = (inverses(l_ab, l_bc), inverses(l_ca, doubled_area));
 
         // The beams: forces over lengths, k (l - l0) / l.
         let [rest_ab, rest_bc, rest_ca, k_ab, k_bc, k_ca] = fields(lane, &self.sheet.beams, chunk);
@@ -188,7 +194,6 @@ impl<R: Real> Input<'_, R> {
             at_b = bc.mul_add(c_bc, ab.sub_mul(c_ab, at_b));
         }
 
-        let over_area = inverse(doubled_area);
         if !self.sheet.angles.is_empty() {
             let [cos_a, sin_a, cos_b, sin_b] = fields(lane, &self.sheet.angles, chunk);
             let one = deviation(cos_a, sin_a, doubled_area, dots[0]);

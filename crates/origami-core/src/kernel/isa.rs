@@ -7,6 +7,8 @@ use super::lanes::portable::{FUSES, Portable};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::x86::{D4, D8, S8, S16};
 use super::real::Real;
+#[cfg(test)]
+use super::tests::Counting;
 #[cfg(target_arch = "x86_64")]
 use pulp::x86::{V3, V4};
 
@@ -18,6 +20,9 @@ pub(crate) enum Isa {
     /// The same, with products and sums rounded once: as the others are, but slow.
     #[cfg(test)]
     PortableFused,
+    /// The same, and what is done is counted.
+    #[cfg(test)]
+    Counting,
     /// AVX2 with FMA.
     #[cfg(target_arch = "x86_64")]
     Avx2(V3),
@@ -31,7 +36,7 @@ impl Isa {
     pub(super) fn all() -> Vec<Self> {
         let mut all = vec![Self::Portable];
         #[cfg(test)]
-        all.push(Self::PortableFused);
+        all.extend([Self::PortableFused, Self::Counting]);
         #[cfg(target_arch = "x86_64")]
         {
             all.extend(V3::try_new().map(Self::Avx2));
@@ -80,7 +85,7 @@ macro_rules! compute {
                 match isa {
                     Isa::Portable => 4,
                     #[cfg(test)]
-                    Isa::PortableFused => 4,
+                    Isa::PortableFused | Isa::Counting => 4,
                     #[cfg(target_arch = "x86_64")]
                     Isa::Avx2(_) => $four,
                     #[cfg(target_arch = "x86_64")]
@@ -93,6 +98,8 @@ macro_rules! compute {
                     Isa::Portable => pass.run(Portable::<$real, FUSES>(PhantomData)),
                     #[cfg(test)]
                     Isa::PortableFused => pass.run(Portable::<$real, true>(PhantomData)),
+                    #[cfg(test)]
+                    Isa::Counting => pass.run(Counting(Portable::<$real, true>(PhantomData))),
                     #[cfg(target_arch = "x86_64")]
                     Isa::Avx2(token) => token.vectorize(With($avx2(token), pass)),
                     #[cfg(target_arch = "x86_64")]

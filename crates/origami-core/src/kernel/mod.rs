@@ -14,6 +14,7 @@ mod gather;
 mod isa;
 mod lane;
 mod lanes;
+mod lookup;
 mod loose_beams;
 mod moves;
 mod nodes;
@@ -89,11 +90,13 @@ impl<R: Compute> Kernel<R> {
         angles: &[f64],
     ) -> Self {
         let mut sheet = Sheet::new(model, R::width(isa));
-        let at_rest = sheet.places(&model.rest);
+        let mut at_rest = sheet.places(&model.rest);
+        lookup::fill(&mut at_rest);
         let Sheet { corners, beams, angles: corner_angles, .. } = &mut sheet;
         R::run(isa, AtRest { corners, places: &at_rest, beams, angles: corner_angles });
-        let places = sheet.places(positions);
+        let mut places = sheet.places(positions);
         let mut velocities: Vec<R::Quad> = velocities.iter().map(|v| R::quad_of(*v)).collect();
+        lookup::fill(&mut places);
         velocities.resize(places.len(), R::Quad::default());
         let creases = sheet.stiffness.len();
         let mut angles: Vec<R> = angles.iter().map(|angle| R::of(*angle)).collect();
@@ -106,12 +109,17 @@ impl<R: Compute> Kernel<R> {
             velocities,
             angles,
             targets: vec![R::default(); creases],
-            moments: vec![R::default(); creases],
+            moments: vec![R::default(); creases.next_power_of_two()],
             slots: vec![R::Quad::default(); sheet.slot_count()],
             forces: Vec::new(),
             sums: Vec::new(),
             sheet,
         }
+    }
+
+    /// Into how many parts a pass is cut at present.
+    pub(crate) fn parts(&self) -> usize {
+        self.team.parts()
     }
 
     /// Asks the creases for `targets`, in radians.

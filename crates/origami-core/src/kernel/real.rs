@@ -2,6 +2,7 @@
 
 use std::fmt::Debug;
 
+use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
 /// The numbers in which springs are computed: f64, or f32 where places alone are f64.
@@ -35,12 +36,12 @@ pub(crate) trait Real: Copy + Default + Debug + Send + Sync + 'static {
 }
 
 /// Of f64.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C, align(32))]
 pub(crate) struct Quad64(pub(super) [f64; 4]);
 
 /// Of f32.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C, align(16))]
 pub(crate) struct Quad32(pub(super) [f32; 4]);
 

@@ -5,60 +5,97 @@
 //! are all in it, where the paper's rule (2.5) looks at one beam at a time.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use crate::forces::corner_angles::Triangle;
 use crate::forces::creases::hinge;
-use crate::model::Model;
+use crate::ids::NodeId;
+use crate::model::{CornerAngles, Crease, Model};
+
+/// Springs whose shares are found before they are added up.
+const BLOCK: usize = 4096;
 
 /// Writes `K_i` of every node at `positions`; all above 0, as every node has a beam.
 pub fn row_sums(model: &Model, positions: &[DVec3], sums: &mut [f64]) {
+    row_sums_on(1, model, positions, sums);
+}
+
+/// The same, on so many threads of this thread's pool; equal bits for any number.
+pub(super) fn row_sums_on(threads: usize, model: &Model, positions: &[DVec3], sums: &mut [f64]) {
     sums.fill(0.0);
     for beam in &model.beams {
         for n in beam.nodes {
             sums[n.index()] += 2.0 * beam.stiffness;
         }
     }
-    add_springs(model, positions, sums);
+    add_springs(threads, model, positions, sums);
 }
 
 /// `K_i` of every node at rest as if its beams did not resist, and that of its beams where it has nothing else.
 #[must_use]
 pub fn soft_sums(model: &Model) -> Vec<f64> {
     let mut sums = vec![0.0; model.node_count()];
-    add_springs(model, &model.rest, &mut sums);
+    add_springs(1, model, &model.rest, &mut sums);
     let mut with_beams = vec![0.0; model.node_count()];
     row_sums(model, &model.rest, &mut with_beams);
     sums.iter().zip(with_beams).map(|(soft, all)| if *soft > 0.0 { *soft } else { all }).collect()
 }
 
 /// Adds what creases and corner angles have.
-fn add_springs(model: &Model, positions: &[DVec3], sums: &mut [f64]) {
-    for crease in &model.creases {
-        let nodes = crease.nodes.map(|n| n.index());
-        if let Some(hinge) = hinge(nodes.map(|n| positions[n])) {
-            add(sums, &nodes, &hinge.gradient.map(DVec3::length), crease.stiffness);
-        }
-    }
-    for corners in &model.corner_angles {
-        let nodes = corners.nodes.map(|n| n.index());
-        let triangle = Triangle::new(nodes.map(|n| positions[n]));
+fn add_springs(threads: usize, model: &Model, positions: &[DVec3], sums: &mut [f64]) {
+    let at = |nodes: [NodeId; 4]| nodes.map(|n| positions[n.index()]);
+    let of_crease = |crease: &Crease| {
+        let gradient = hinge(at(crease.nodes))?.gradient.map(DVec3::length);
+        Some(shares(gradient).map(|share| crease.stiffness * share))
+    };
+    add(threads, &model.creases, |crease| crease.nodes, of_crease, sums);
+    let k_face = model.material.k_face;
+    let of_triangle = |corners: &CornerAngles| {
+        let triangle = Triangle::new(corners.nodes.map(|n| positions[n.index()]));
         if triangle.collapsed() {
-            continue;
+            return None;
         }
         let sides = triangle.side_vectors();
         let lengths = sides.map(DVec3::length);
+        let mut sums = [0.0; 3];
         for corner in 0..3 {
-            let (next, before) = (corner, (corner + 2) % 3);
-            let gradient = [(sides[next] + sides[before]).length(), lengths[next], lengths[before]];
-            let places = [nodes[corner], nodes[(corner + 1) % 3], nodes[before]];
-            add(sums, &places, &gradient, model.material.k_face);
+            let (next, before) = ((corner + 1) % 3, (corner + 2) % 3);
+            let gradient = [(sides[corner] + sides[before]).length(), lengths[corner], lengths[before]];
+            for (place, share) in [corner, next, before].into_iter().zip(shares(gradient)) {
+                sums[place] += k_face * share;
+            }
         }
-    }
+        Some(sums)
+    };
+    add(threads, &model.corner_angles, |corners| corners.nodes, of_triangle, sums);
 }
 
-fn add(sums: &mut [f64], nodes: &[usize], gradient: &[f64], stiffness: f64) {
+/// `|J_i| sum_j |J_j|`.
+fn shares<const N: usize>(gradient: [f64; N]) -> [f64; N] {
     let total: f64 = gradient.iter().sum();
-    for (n, g) in nodes.iter().zip(gradient) {
-        sums[*n] += stiffness * g * total;
+    gradient.map(|length| length * total)
+}
+
+/// Adds to the nodes of each spring what is `of` it, spring after spring.
+fn add<S: Sync, const N: usize>(
+    threads: usize,
+    springs: &[S],
+    nodes: impl Fn(&S) -> [NodeId; N],
+    of: impl Fn(&S) -> Option<[f64; N]> + Sync,
+    sums: &mut [f64],
+) {
+    let mut found = Vec::with_capacity(BLOCK.min(springs.len()));
+    for block in springs.chunks(BLOCK) {
+        if threads > 1 {
+            block.par_iter().with_min_len(BLOCK / 4).map(&of).collect_into_vec(&mut found);
+        } else {
+            found.clear();
+            found.extend(block.iter().map(&of));
+        }
+        for (spring, shares) in block.iter().zip(&found) {
+            for (n, share) in nodes(spring).into_iter().zip(shares.iter().flatten()) {
+                sums[n.index()] += share;
+            }
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Four numbers in an array: right everywhere, and as fast as the compiler makes it.
 
 use crate::kernel::lane::{Lane, Mesh};
+use crate::kernel::lookup::item;
 use crate::kernel::real::{Quad64, Real};
 
 /// Four numbers. `FUSED`: products and sums are rounded once, as the other lanes do it; slow where the processor cannot.
@@ -183,7 +184,7 @@ macro_rules! portable {
             fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [[$real; 4]; 3] {
                 let mut ways = [[0.0; 4]; 3];
                 for i in 0..4 {
-                    let (from, to) = (places[from[i] as usize].0, places[to[i] as usize].0);
+                    let (from, to) = (item(places, from[i]).0, item(places, to[i]).0);
                     for c in 0..3 {
                         ways[c][i] = <$real>::of(to[c] - from[c]);
                     }
@@ -195,7 +196,7 @@ macro_rules! portable {
             fn apart(self, vectors: &[<$real as Real>::Quad], from: &[u32], to: &[u32]) -> [[$real; 4]; 3] {
                 let mut ways = [[0.0; 4]; 3];
                 for i in 0..4 {
-                    let (from, to) = (vectors[from[i] as usize].0, vectors[to[i] as usize].0);
+                    let (from, to) = (item(vectors, from[i]).0, item(vectors, to[i]).0);
                     for c in 0..3 {
                         ways[c][i] = to[c] - from[c];
                     }
@@ -205,7 +206,7 @@ macro_rules! portable {
 
             #[inline(always)]
             fn pick(self, values: &[$real], at: &[u32]) -> [$real; 4] {
-                [values[at[0] as usize], values[at[1] as usize], values[at[2] as usize], values[at[3] as usize]]
+                [item(values, at[0]), item(values, at[1]), item(values, at[2]), item(values, at[3])]
             }
 
             #[inline(always)]

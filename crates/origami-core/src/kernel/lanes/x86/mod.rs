@@ -211,6 +211,7 @@ macro_rules! nodes_of_f32 {
 mod avx2;
 mod avx512;
 mod rows;
+mod wide_rows;
 
 pub(in crate::kernel) use avx2::{D4, S8};
 pub(in crate::kernel) use avx512::{D8, S16};

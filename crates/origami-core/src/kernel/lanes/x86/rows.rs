@@ -5,6 +5,7 @@ use std::arch::x86_64::{__m256, __m256d};
 use bytemuck::cast;
 use pulp::x86::V3;
 
+use crate::kernel::lookup::item;
 use crate::kernel::real::{Quad32, Quad64};
 
 /// Four rows of four numbers, of which the last is not wanted, to three columns.
@@ -65,7 +66,7 @@ pub(super) fn rows_of_pair(v: V3, pair: __m256, i: usize, to: &mut [Quad32; 8]) 
 /// The way between two nodes.
 #[inline(always)]
 pub(super) fn way_d4(v: V3, vectors: &[Quad64], from: u32, to: u32) -> __m256d {
-    v.avx._mm256_sub_pd(cast(vectors[to as usize].0), cast(vectors[from as usize].0))
+    v.avx._mm256_sub_pd(cast(item(vectors, to).0), cast(item(vectors, from).0))
 }
 
 /// The ways between four pairs of nodes.
@@ -95,7 +96,7 @@ pub(super) fn between_s8(v: V3, places: &[Quad64], from: &[u32; 8], to: &[u32; 8
 /// Vectors i and i + 4.
 #[inline(always)]
 pub(super) fn pair_s8(v: V3, vectors: &[Quad32], nodes: &[u32; 8], i: usize) -> __m256 {
-    v.avx._mm256_set_m128(cast(vectors[nodes[i + 4] as usize].0), cast(vectors[nodes[i] as usize].0))
+    v.avx._mm256_set_m128(cast(item(vectors, nodes[i + 4]).0), cast(item(vectors, nodes[i]).0))
 }
 
 /// The differences between eight pairs of vectors.
@@ -111,14 +112,14 @@ pub(super) fn apart_s8(v: V3, vectors: &[Quad32], from: &[u32; 8], to: &[u32; 8]
 #[inline(always)]
 pub(super) fn pick_d4(v: V3, values: &[f64], at: &[u32; 4]) -> __m256d {
     let [a, b, c, d] = *at;
-    v.avx._mm256_set_pd(values[d as usize], values[c as usize], values[b as usize], values[a as usize])
+    v.avx._mm256_set_pd(item(values, d), item(values, c), item(values, b), item(values, a))
 }
 
 #[inline(always)]
 pub(super) fn pick_s8(v: V3, values: &[f32], at: &[u32; 8]) -> __m256 {
     let [a, b, c, d, e, f, g, h] = *at;
-    let (a, b, c, d) = (values[a as usize], values[b as usize], values[c as usize], values[d as usize]);
-    let (e, f, g, h) = (values[e as usize], values[f as usize], values[g as usize], values[h as usize]);
+    let (a, b, c, d) = (item(values, a), item(values, b), item(values, c), item(values, d));
+    let (e, f, g, h) = (item(values, e), item(values, f), item(values, g), item(values, h));
     v.avx._mm256_set_ps(h, g, f, e, d, c, b, a)
 }
 

@@ -1,0 +1,142 @@
+//! From nodes, one after the other, to elements side by side, and back, over the whole width of AVX-512: shuffles are what
+//! the passes spend most on, and one of these moves twice as much.
+
+use std::arch::x86_64::{__m128, __m256, __m256d, __m512, __m512d};
+
+use bytemuck::cast;
+use pulp::x86::V4;
+
+use crate::kernel::lookup::item;
+use crate::kernel::real::{Quad32, Quad64};
+
+/// Two rows of four numbers.
+#[inline(always)]
+fn two_d4(v: V4, vectors: &[Quad64], low: u32, high: u32) -> __m512d {
+    let (low, high): (__m256d, __m256d) = (cast(item(vectors, low).0), cast(item(vectors, high).0));
+    v.avx512f._mm512_insertf64x4::<1>(v.avx512f._mm512_castpd256_pd512(low), high)
+}
+
+/// The ways between pairs i and j of nodes.
+#[inline(always)]
+fn ways_d4(v: V4, vectors: &[Quad64], from: &[u32], to: &[u32], i: usize, j: usize) -> __m512d {
+    v.avx512f._mm512_sub_pd(two_d4(v, vectors, to[i], to[j]), two_d4(v, vectors, from[i], from[j]))
+}
+
+/// The ways between eight pairs of nodes.
+#[inline(always)]
+pub(super) fn between_d8(v: V4, vectors: &[Quad64], from: &[u32; 8], to: &[u32; 8]) -> [__m512d; 3] {
+    let rows_02 = ways_d4(v, vectors, from, to, 0, 2);
+    let rows_13 = ways_d4(v, vectors, from, to, 1, 3);
+    let rows_46 = ways_d4(v, vectors, from, to, 4, 6);
+    let rows_57 = ways_d4(v, vectors, from, to, 5, 7);
+    let (xz_0123, yw_0123) =
+        (v.avx512f._mm512_unpacklo_pd(rows_02, rows_13), v.avx512f._mm512_unpackhi_pd(rows_02, rows_13));
+    let (xz_4567, yw_4567) =
+        (v.avx512f._mm512_unpacklo_pd(rows_46, rows_57), v.avx512f._mm512_unpackhi_pd(rows_46, rows_57));
+    [
+        v.avx512f._mm512_shuffle_f64x2::<0x88>(xz_0123, xz_4567),
+        v.avx512f._mm512_shuffle_f64x2::<0x88>(yw_0123, yw_4567),
+        v.avx512f._mm512_shuffle_f64x2::<0xdd>(xz_0123, xz_4567),
+    ]
+}
+
+/// Three columns and one of zeros to eight rows.
+#[inline(always)]
+pub(super) fn rows_d8(v: V4, columns: [__m512d; 3], to: &mut [Quad64; 8]) {
+    let (pairs, _) = to.as_chunks_mut();
+    two_rows(v, columns, [0, 8, 0, 0, 1, 9, 0, 0], [0, 0, 0, 0, 0, 0, 1, 0], &mut pairs[0]);
+    two_rows(v, columns, [2, 10, 0, 0, 3, 11, 0, 0], [0, 0, 2, 0, 0, 0, 3, 0], &mut pairs[1]);
+    two_rows(v, columns, [4, 12, 0, 0, 5, 13, 0, 0], [0, 0, 4, 0, 0, 0, 5, 0], &mut pairs[2]);
+    two_rows(v, columns, [6, 14, 0, 0, 7, 15, 0, 0], [0, 0, 6, 0, 0, 0, 7, 0], &mut pairs[3]);
+}
+
+/// From where in the columns x and y, and from where in z.
+#[inline(always)]
+fn two_rows(v: V4, [x, y, z]: [__m512d; 3], of_xy: [i64; 8], of_z: [i64; 8], to: &mut [Quad64; 2]) {
+    let xy = v.avx512f._mm512_maskz_permutex2var_pd(0b0011_0011, x, cast(of_xy), y);
+    *to = cast(v.avx512f._mm512_mask_permutexvar_pd(xy, 0b0100_0100, cast(of_z), z));
+}
+
+/// The ways between pairs i, i + 4, i + 8 and i + 12 of nodes, in f32.
+#[inline(always)]
+fn ways_s16(v: V4, places: &[Quad64], from: &[u32; 16], to: &[u32; 16], i: usize) -> __m512 {
+    let low = v.avx512f._mm512_cvtpd_ps(ways_d4(v, places, from, to, i, i + 4));
+    let high = v.avx512f._mm512_cvtpd_ps(ways_d4(v, places, from, to, i + 8, i + 12));
+    v.avx512dq._mm512_insertf32x8::<1>(v.avx512f._mm512_castps256_ps512(low), high)
+}
+
+/// Sixteen rows of four numbers, of which the last is not wanted, to three columns: `a` holds rows 0, 4, 8 and 12, `b` the
+/// next ones.
+#[inline(always)]
+fn columns_s16(v: V4, [a, b, c, d]: [__m512; 4]) -> [__m512; 3] {
+    let (xy_ab, zw_ab) = (v.avx512f._mm512_unpacklo_ps(a, b), v.avx512f._mm512_unpackhi_ps(a, b));
+    let (xy_cd, zw_cd) = (v.avx512f._mm512_unpacklo_ps(c, d), v.avx512f._mm512_unpackhi_ps(c, d));
+    [
+        v.avx512f._mm512_shuffle_ps::<0x44>(xy_ab, xy_cd),
+        v.avx512f._mm512_shuffle_ps::<0xee>(xy_ab, xy_cd),
+        v.avx512f._mm512_shuffle_ps::<0x44>(zw_ab, zw_cd),
+    ]
+}
+
+/// The ways between sixteen pairs of nodes, in f32.
+#[inline(always)]
+pub(super) fn between_s16(v: V4, places: &[Quad64], from: &[u32; 16], to: &[u32; 16]) -> [__m512; 3] {
+    let (a, b) = (ways_s16(v, places, from, to, 0), ways_s16(v, places, from, to, 1));
+    let (c, d) = (ways_s16(v, places, from, to, 2), ways_s16(v, places, from, to, 3));
+    columns_s16(v, [a, b, c, d])
+}
+
+/// Vectors i, i + 4, i + 8 and i + 12.
+#[inline(always)]
+fn four_s4(v: V4, vectors: &[Quad32], nodes: &[u32; 16], i: usize) -> __m512 {
+    let [a, b, c, d]: [__m128; 4] = [
+        cast(item(vectors, nodes[i]).0),
+        cast(item(vectors, nodes[i + 4]).0),
+        cast(item(vectors, nodes[i + 8]).0),
+        cast(item(vectors, nodes[i + 12]).0),
+    ];
+    let all = v.avx512f._mm512_insertf32x4::<1>(v.avx512f._mm512_castps128_ps512(a), b);
+    v.avx512f._mm512_insertf32x4::<3>(v.avx512f._mm512_insertf32x4::<2>(all, c), d)
+}
+
+/// The differences between sixteen pairs of vectors.
+#[inline(always)]
+pub(super) fn apart_s16(v: V4, vectors: &[Quad32], from: &[u32; 16], to: &[u32; 16]) -> [__m512; 3] {
+    let a = v.avx512f._mm512_sub_ps(four_s4(v, vectors, to, 0), four_s4(v, vectors, from, 0));
+    let b = v.avx512f._mm512_sub_ps(four_s4(v, vectors, to, 1), four_s4(v, vectors, from, 1));
+    let c = v.avx512f._mm512_sub_ps(four_s4(v, vectors, to, 2), four_s4(v, vectors, from, 2));
+    let d = v.avx512f._mm512_sub_ps(four_s4(v, vectors, to, 3), four_s4(v, vectors, from, 3));
+    columns_s16(v, [a, b, c, d])
+}
+
+/// Three columns and one of zeros to sixteen rows.
+#[inline(always)]
+pub(super) fn rows_s16(v: V4, columns: [__m512; 3], to: &mut [Quad32; 16]) {
+    let (fours, _) = to.as_chunks_mut();
+    four_rows(v, columns, 0, &mut fours[0]);
+    four_rows(v, columns, 4, &mut fours[1]);
+    four_rows(v, columns, 8, &mut fours[2]);
+    four_rows(v, columns, 12, &mut fours[3]);
+}
+
+/// Rows i to i + 3.
+#[inline(always)]
+fn four_rows(v: V4, [x, y, z]: [__m512; 3], i: i32, to: &mut [Quad32; 4]) {
+    let (j, k, l) = (i + 1, i + 2, i + 3);
+    let of_xy = [i, i + 16, 0, 0, j, j + 16, 0, 0, k, k + 16, 0, 0, l, l + 16, 0, 0];
+    let of_z = [0, 0, i, 0, 0, 0, j, 0, 0, 0, k, 0, 0, 0, l, 0];
+    let xy = v.avx512f._mm512_maskz_permutex2var_ps(0x3333, x, cast(of_xy), y);
+    *to = cast(v.avx512f._mm512_mask_permutexvar_ps(xy, 0x4444, cast(of_z), z));
+}
+
+/// Four numbers each.
+#[inline(always)]
+pub(super) fn join_d8(v: V4, low: __m256d, high: __m256d) -> __m512d {
+    v.avx512f._mm512_insertf64x4::<1>(v.avx512f._mm512_castpd256_pd512(low), high)
+}
+
+/// Eight numbers each.
+#[inline(always)]
+pub(super) fn join_s16(v: V4, low: __m256, high: __m256) -> __m512 {
+    v.avx512dq._mm512_insertf32x8::<1>(v.avx512f._mm512_castps256_ps512(low), high)
+}

@@ -11,13 +11,14 @@ use origami::glam::DVec3;
 type Scene = fn(usize) -> Document;
 
 /// By name.
-pub(crate) const ALL: [(&str, Scene); 12] = [
+pub(crate) const ALL: [(&str, Scene); 13] = [
     ("miura", ordered),
     ("miura_lines", |size| lines(ordered(size))),
     ("miura_shuffled", |size| shuffled(ordered(size))),
     ("miura_lines_shuffled", |size| lines(shuffled(ordered(size)))),
     ("one_face", one_face),
     ("hub", hub),
+    ("hub_lines", |size| lines(hub(size))),
     ("islands", islands),
     ("islands_lines", |size| lines(islands(size))),
     ("islands_in_a_row_lines", |size| lines(islands_in_a_row(size))),

@@ -18,7 +18,7 @@ impl Bounds {
         Self { low: self.low - by, high: self.high + by }
     }
 
-    fn union(self, other: Self) -> Self {
+    pub(super) fn union(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 

@@ -9,11 +9,10 @@ use glam::DVec2;
 
 use super::boxes::{Bounds, BoxTree};
 use super::draft::Draft;
-use super::table::Table;
+use super::rings::{NONE, Rings};
 
 /// The unbounded region.
 pub(super) const OUTSIDE: u32 = 0;
-const NONE: u32 = u32::MAX;
 
 /// The regions of the plane.
 #[derive(Debug)]
@@ -68,12 +67,7 @@ struct Contour {
 }
 
 struct HalfEdges {
-    /// The vertex at which each half-edge starts; none for aliases.
-    origin: Vec<u32>,
-    /// Half-edges that start at each vertex, counterclockwise from direction -pi.
-    around: Table<u32>,
-    /// The place of each half-edge in its row of `around`.
-    rank: Vec<u32>,
+    rings: Rings,
     /// The component of each vertex.
     component: Vec<u32>,
     bounds: Vec<Bounds>,
@@ -81,26 +75,12 @@ struct HalfEdges {
 
 impl HalfEdges {
     fn new(draft: &Draft, points: &[DVec2]) -> Self {
-        let mut origin = vec![NONE; 2 * draft.edges.len()];
-        let mut direction = vec![0.0; origin.len()];
+        let live = draft.edges.iter().map(|edge| edge.alias.is_none().then_some(edge.ends));
         let nowhere = Bounds { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
-        let mut bounds = vec![nowhere; draft.edges.len()];
-        for (index, edge) in draft.edges.iter().enumerate().filter(|(_, edge)| edge.alias.is_none()) {
-            let [a, b] = edge.ends.map(|v| points[v as usize]);
-            origin[2 * index..2 * index + 2].copy_from_slice(&edge.ends);
-            direction[2 * index] = (b - a).to_angle();
-            direction[2 * index + 1] = (a - b).to_angle();
-            bounds[index] = Bounds::of(a, b);
-        }
-        let live = origin.iter().enumerate().filter(|(_, from)| **from != NONE);
-        let mut around = Table::new(points.len(), live.map(|(half, &from)| (from, half as u32)));
-        let mut rank = vec![0; origin.len()];
-        for vertex in 0..points.len() {
-            let row = around.row_mut(vertex);
-            row.sort_by(|&a, &b| direction[a as usize].total_cmp(&direction[b as usize]));
-            row.iter().enumerate().for_each(|(place, &half)| rank[half as usize] = place as u32);
-        }
-        let mut graph = Self { origin, around, rank, component: Vec::new(), bounds };
+        let of = |[a, b]: [u32; 2]| Bounds::of(points[a as usize], points[b as usize]);
+        let bounds = live.clone().map(|ends| ends.map_or(nowhere, of)).collect();
+        let rings = Rings::new(points, live);
+        let mut graph = Self { rings, component: Vec::new(), bounds };
         graph.component = graph.components();
         graph
     }
@@ -108,17 +88,16 @@ impl HalfEdges {
     /// The half-edge that follows around the region on the left: the next one clockwise after turning back.
     fn next(&self, half: u32) -> u32 {
         let back = half ^ 1;
-        let row = self.around.row(self.origin[back as usize] as usize);
-        let rank = self.rank[back as usize] as usize;
-        row[(rank + row.len() - 1) % row.len()]
+        let around = self.rings.at(self.rings.origin[back as usize] as usize).len();
+        self.rings.turned(back, around - 1)
     }
 
     /// All closed walks, and the walk that each half-edge is on.
     fn trace(&self) -> (Vec<Vec<u32>>, Vec<u32>) {
         let mut loops = Vec::new();
-        let mut loop_of = vec![NONE; self.origin.len()];
-        for start in 0..self.origin.len() as u32 {
-            if self.origin[start as usize] == NONE || loop_of[start as usize] != NONE {
+        let mut loop_of = vec![NONE; self.rings.origin.len()];
+        for start in 0..self.rings.origin.len() as u32 {
+            if self.rings.origin[start as usize] == NONE || loop_of[start as usize] != NONE {
                 continue;
             }
             let mut walk = Vec::new();
@@ -134,18 +113,18 @@ impl HalfEdges {
     }
 
     fn components(&self) -> Vec<u32> {
-        let vertices = self.around.rows();
+        let vertices = self.rings.vertices();
         let mut component = vec![NONE; vertices];
         let mut stack = Vec::new();
         for seed in 0..vertices {
-            if component[seed] != NONE || self.around.row(seed).is_empty() {
+            if component[seed] != NONE || self.rings.at(seed).is_empty() {
                 continue;
             }
             component[seed] = seed as u32;
             stack.push(seed);
             while let Some(vertex) = stack.pop() {
-                for &half in self.around.row(vertex) {
-                    let to = self.origin[(half ^ 1) as usize] as usize;
+                for &half in self.rings.at(vertex) {
+                    let to = self.rings.origin[(half ^ 1) as usize] as usize;
                     if component[to] == NONE {
                         component[to] = seed as u32;
                         stack.push(to);
@@ -171,7 +150,7 @@ impl HalfEdges {
             .enumerate()
             .filter_map(|(component, &leftmost)| {
                 // All directions there lie in (-pi/2, pi/2]: what is left of the last one is outside.
-                let last = self.around.row((leftmost != NONE).then_some(leftmost)? as usize).last()?;
+                let last = self.rings.at((leftmost != NONE).then_some(leftmost)? as usize).last()?;
                 Some(Contour { component: component as u32, leftmost, around: loop_of[*last as usize] })
             })
             .collect();
@@ -189,11 +168,11 @@ impl HalfEdges {
         tree.visit(
             |bounds| bounds.overlaps(&strip) && bounds.high.x >= nearest.get(),
             |edge| {
-                let from = self.origin[2 * edge];
+                let from = self.rings.origin[2 * edge];
                 if from == NONE || self.component[from as usize] == contour.component {
                     return;
                 }
-                let ends = [from, self.origin[2 * edge + 1]].map(|v| points[v as usize]);
+                let ends = [from, self.rings.origin[2 * edge + 1]].map(|v| points[v as usize]);
                 // Of a line, the lower end counts and the upper one does not: each vertex is passed exactly once.
                 let (up, [low, high]) = if ends[0].y <= ends[1].y { (true, ends) } else { (false, [ends[1], ends[0]]) };
                 if !(low.y <= eye.y && eye.y < high.y) {

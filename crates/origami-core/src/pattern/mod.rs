@@ -15,6 +15,7 @@ mod faces_given;
 pub mod keys;
 mod letters;
 mod loops;
+mod near;
 mod notes;
 mod orient;
 mod overrides;
@@ -24,6 +25,7 @@ mod planar;
 pub(crate) mod plane;
 mod read;
 pub(crate) mod region;
+mod rings;
 mod sides;
 mod table;
 

@@ -2,8 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::boxes::{Bounds, BoxTree};
 use super::draft::{Draft, DraftEdge, EdgeMap};
+use super::near::Near;
 use super::notes::Notes;
 use super::paper::no_paper;
 use super::places::Places;
@@ -101,22 +101,23 @@ impl Graph {
 
     /// Where fresh pieces meet any others, in order along each piece.
     fn meetings(&mut self, pieces: &[Piece]) -> Result<Vec<Split>, Error> {
-        let bounds: Vec<_> = pieces.iter().map(|piece| Bounds::of(self.ends(piece)[0], self.ends(piece)[1])).collect();
-        let tree = BoxTree::new(&bounds);
+        let lines: Vec<[u32; 2]> = pieces.iter().map(|piece| piece.ends).collect();
+        let near = Near::new(&self.points, &lines, self.touch);
+        let fresh = |index: usize| pieces[index].fresh;
+        let meets = |index: usize, other: usize| self.is_meeting(&pieces[index], &pieces[other]);
         // In the tree's order, so that what is looked at next is at hand; few pairs have more to be done.
         let mut pairs = Vec::new();
-        for &index in tree.items().iter().filter(|&&index| pieces[index as usize].fresh) {
-            let index = index as usize;
-            let [a, b] = self.ends(&pieces[index]);
-            let own = bounds[index].grown(self.touch);
-            let wanted = |other: &Bounds| own.overlaps(other) && !other.grown(self.touch).misses_line(a, b - a);
-            tree.visit(wanted, |other| {
-                if other != index
-                    && !(pieces[other].fresh && other < index)
-                    && own.overlaps(&bounds[other])
-                    && self.is_meeting(&pieces[index], &pieces[other])
-                {
-                    pairs.push((index, other));
+        for index in near.order() {
+            if fresh(index) {
+                near.apart(index, |other| {
+                    if !(fresh(other) && other < index) && meets(index, other) {
+                        pairs.push((index, other));
+                    }
+                });
+            }
+            near.along(index, |other| {
+                if (fresh(index) || fresh(other)) && meets(index, other) {
+                    pairs.push((index.min(other), index.max(other)));
                 }
             });
             if pairs.len() > MOST_PIECES {
@@ -124,6 +125,7 @@ impl Graph {
             }
         }
         pairs.sort_unstable();
+        pairs.dedup();
         let mut splits = Vec::new();
         for (index, other) in pairs {
             self.meet(pieces, index, other, &mut splits);

@@ -8,7 +8,7 @@ use super::share::Cut;
 
 /// Nodes whose sums are taken one after the other: the sums of these blocks are then added in their order, so that the
 /// result does not depend on who took which.
-pub(super) const BLOCK: usize = 1024;
+pub(super) const BLOCK: usize = 256;
 
 /// Power, and the squared lengths of velocity and acceleration in the norm of the masses.
 #[derive(Clone, Copy, Debug, Default)]

@@ -5,9 +5,9 @@ use std::sync::mpsc;
 use super::Progress;
 use crate::model::Model;
 
-/// Each thread has at least so many nodes: below twice as many one thread is alone, as sharing a step out costs some
-/// microseconds: with two threads `relax` loses at 1 024 nodes and gains at 10 000 (`cargo bench --bench cpu_step`).
-pub const NODES_A_THREAD: usize = 1280;
+/// Each thread has at least so many nodes: below twice as many one thread is alone. With two threads steps of 529 nodes gain
+/// nothing, those of 1 024 up to a third (`cargo bench --bench cpu_step`); whether they do at the moment, a clock tells.
+pub const NODES_A_THREAD: usize = 512;
 
 /// How many threads fold `model`. One where this is already a thread of a pool, as in a batch: the others have sheets of
 /// their own.

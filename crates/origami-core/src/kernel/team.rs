@@ -7,7 +7,7 @@
 use std::time::{Duration, Instant};
 
 /// A thread that is done takes parts of another one. With one part each it falls asleep while the other works on, and is
-/// slow to wake: from 4 on two threads gain half as much again (`cargo run --release --example neighbours`).
+/// slow to wake.
 const PARTS_A_THREAD: usize = 8;
 /// Steps that do not count: memory is touched for the first time.
 const WARM_UP: u32 = 3;

@@ -34,15 +34,12 @@ pub(crate) enum Isa {
 impl Isa {
     /// All that this processor has, the best one last.
     pub(super) fn all() -> Vec<Self> {
-        let mut all = vec![Self::Portable];
+        let all = std::iter::once(Self::Portable);
         #[cfg(test)]
-        all.extend([Self::PortableFused, Self::Counting]);
+        let all = all.chain([Self::PortableFused, Self::Counting]);
         #[cfg(target_arch = "x86_64")]
-        {
-            all.extend(V3::try_new().map(Self::Avx2));
-            all.extend(V4::try_new().map(Self::Avx512));
-        }
-        all
+        let all = all.chain(V3::try_new().map(Self::Avx2)).chain(V4::try_new().map(Self::Avx512));
+        all.collect()
     }
 
     /// The one that is fastest.

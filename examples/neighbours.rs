@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("|---|---|---|---|---|---|");
     for side in SIDES {
         let model = Model::new(&generate::miura(side, side)?, &Material::default())?;
-        let steps = (4_000_000 / model.node_count() as u64).max(50);
+        let steps = (4_000_000 / model.node_count() as u64).max(200);
         let precision = Precision::F64;
         let solvers: [(&str, Box<dyn Solver>); 2] = [
             ("dynamics", Box::new(Dynamics { steps: Some(steps), precision, ..Dynamics::default() })),

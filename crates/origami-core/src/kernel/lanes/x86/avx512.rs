@@ -53,7 +53,10 @@ lane! {
 }
 
 impl Mesh for D8 {
-    nodes_of_f64!(|own| *own.0);
+    nodes! {
+        D4, __m256d, Quad64; |own| *own.0;
+        widen(_lane, raw) = raw;
+    }
 
     #[inline(always)]
     fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [__m512d; 3] {
@@ -78,7 +81,10 @@ impl Mesh for D8 {
 }
 
 impl Mesh for S16 {
-    nodes_of_f32!(|own| *own.0);
+    nodes! {
+        S4, __m128, Quad32; |own| *own.0;
+        widen(lane, raw) = lane.0.avx._mm256_cvtps_pd(raw);
+    }
 
     #[inline(always)]
     fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [__m512; 3] {

@@ -118,16 +118,16 @@ macro_rules! lane {
     };
 }
 
-/// Nodes, one after the other, of f64. `$token` is AVX2's token, of `$own` lanes.
-macro_rules! nodes_of_f64 {
-    (|$own:ident| $token:expr) => {
-        type Node = D4;
+/// Nodes, one after the other: lanes `$node` of numbers `$raw`, kept as `$quad`. `$token` is AVX2's token, of `$own` lanes.
+macro_rules! nodes {
+    ($node:ident, $raw:ty, $quad:ident; |$own:ident| $token:expr; widen($lane:ident, $narrow:ident) = $wide:expr;) => {
+        type Node = $node;
         type Place = D4;
 
         #[inline(always)]
-        fn node(self) -> D4 {
+        fn node(self) -> $node {
             let $own = self;
-            D4($token)
+            $node($token)
         }
 
         #[inline(always)]
@@ -137,13 +137,13 @@ macro_rules! nodes_of_f64 {
         }
 
         #[inline(always)]
-        fn load_node(self, from: Quad64) -> __m256d {
+        fn load_node(self, from: $quad) -> $raw {
             cast(from.0)
         }
 
         #[inline(always)]
-        fn store_node(self, raw: __m256d) -> Quad64 {
-            Quad64(cast(raw))
+        fn store_node(self, raw: $raw) -> $quad {
+            $quad(cast(raw))
         }
 
         #[inline(always)]
@@ -157,53 +157,9 @@ macro_rules! nodes_of_f64 {
         }
 
         #[inline(always)]
-        fn widen(self, raw: __m256d) -> __m256d {
-            raw
-        }
-    };
-}
-
-/// Nodes, one after the other, of f32. `$token` is AVX2's token, of `$own` lanes.
-macro_rules! nodes_of_f32 {
-    (|$own:ident| $token:expr) => {
-        type Node = S4;
-        type Place = D4;
-
-        #[inline(always)]
-        fn node(self) -> S4 {
-            let $own = self;
-            S4($token)
-        }
-
-        #[inline(always)]
-        fn place(self) -> D4 {
-            let $own = self;
-            D4($token)
-        }
-
-        #[inline(always)]
-        fn load_node(self, from: Quad32) -> __m128 {
-            cast(from.0)
-        }
-
-        #[inline(always)]
-        fn store_node(self, raw: __m128) -> Quad32 {
-            Quad32(cast(raw))
-        }
-
-        #[inline(always)]
-        fn load_place(self, from: Quad64) -> __m256d {
-            cast(from.0)
-        }
-
-        #[inline(always)]
-        fn store_place(self, raw: __m256d) -> Quad64 {
-            Quad64(cast(raw))
-        }
-
-        #[inline(always)]
-        fn widen(self, raw: __m128) -> __m256d {
-            self.node().0.avx._mm256_cvtps_pd(raw)
+        fn widen(self, $narrow: $raw) -> __m256d {
+            let $lane = self.node();
+            $wide
         }
     };
 }

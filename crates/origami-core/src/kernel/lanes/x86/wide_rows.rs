@@ -12,8 +12,7 @@ use crate::kernel::real::{Quad32, Quad64};
 /// Two rows of four numbers.
 #[inline(always)]
 fn two_d4(v: V4, vectors: &[Quad64], low: u32, high: u32) -> __m512d {
-    let (low, high): (__m256d, __m256d) = (cast(item(vectors, low).0), cast(item(vectors, high).0));
-    v.avx512f._mm512_insertf64x4::<1>(v.avx512f._mm512_castpd256_pd512(low), high)
+    join_d8(v, cast(item(vectors, low).0), cast(item(vectors, high).0))
 }
 
 /// The ways between pairs i and j of nodes.
@@ -62,7 +61,7 @@ fn two_rows(v: V4, [x, y, z]: [__m512d; 3], of_xy: [i64; 8], of_z: [i64; 8], to:
 fn ways_s16(v: V4, places: &[Quad64], from: &[u32; 16], to: &[u32; 16], i: usize) -> __m512 {
     let low = v.avx512f._mm512_cvtpd_ps(ways_d4(v, places, from, to, i, i + 4));
     let high = v.avx512f._mm512_cvtpd_ps(ways_d4(v, places, from, to, i + 8, i + 12));
-    v.avx512dq._mm512_insertf32x8::<1>(v.avx512f._mm512_castps256_ps512(low), high)
+    join_s16(v, low, high)
 }
 
 /// Sixteen rows of four numbers, of which the last is not wanted, to three columns: `a` holds rows 0, 4, 8 and 12, `b` the

@@ -68,28 +68,30 @@ pub(crate) struct Kernel<R: Compute> {
 }
 
 impl<R: Compute> Kernel<R> {
-    /// `model` with its nodes at `positions`, moving at `velocities`, its creases at `angles`. `threads` of
-    /// this thread's pool share the passes, as long as that is faster.
+    /// `model` with its nodes at `positions`, moving at `velocities`, its creases at `angles`; only where it is `damped` can
+    /// damping be asked for. `threads` of this thread's pool share the passes, as long as that is faster.
     pub(crate) fn new(
         model: &Model,
+        damped: bool,
         bounds: Bounds,
         positions: &[DVec3],
         velocities: &[DVec3],
         angles: &[f64],
         threads: usize,
     ) -> Self {
-        Self::with((Isa::best(), threads), model, bounds, positions, velocities, angles)
+        Self::with((Isa::best(), threads), model, damped, bounds, positions, velocities, angles)
     }
 
     fn with(
         (isa, threads): (Isa, usize),
         model: &Model,
+        damped: bool,
         bounds: Bounds,
         positions: &[DVec3],
         velocities: &[DVec3],
         angles: &[f64],
     ) -> Self {
-        let mut sheet = Sheet::new(model, R::width(isa));
+        let mut sheet = Sheet::new(model, R::width(isa), damped);
         let mut at_rest = sheet.places(&model.rest);
         lookup::fill(&mut at_rest);
         let Sheet { corners, beams, angles: corner_angles, .. } = &mut sheet;

@@ -44,8 +44,8 @@ pub(super) struct Sheet<R> {
 const DUMMY: [[f64; 4]; 4] = [[0.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 0.0]];
 
 impl<R: Real> Sheet<R> {
-    /// Of `model`, `width` elements side by side.
-    pub(super) fn new(model: &Model, width: usize) -> Self {
+    /// Of `model`, `width` elements side by side; with its damping, if it has any, where the motion is `damped`.
+    pub(super) fn new(model: &Model, width: usize, damped: bool) -> Self {
         let nodes = model.node_count();
         // Of the nodes after the sheet's own.
         let dummy = |i: usize| NodeId::new(nodes + i).0;
@@ -56,7 +56,7 @@ impl<R: Real> Sheet<R> {
         let mut stiffness: Vec<R> = model.creases.iter().map(|crease| R::of(crease.stiffness)).collect();
         stiffness.resize(creases, R::of(0.0));
 
-        let damped = model.material.zeta > 0.0;
+        let damped = damped && model.material.zeta > 0.0;
         let faces = model.mesh.triangles.len().next_multiple_of(width);
         let corners = model.mesh.triangles.iter().map(|corners| corners.map(|n| n.0));
         let no_face = [dummy(0), dummy(1), dummy(2)];

@@ -98,9 +98,9 @@ impl Dynamics {
     ) -> Result<Folded, Failed> {
         let mut ramp = Ramp::new(&start.targets, model.targets(percent), self.ramp);
         let moving = (start.positions.clone(), &start.velocities[..]);
-        let mut motion = Motion::<R>::new(model, start, moving, self.tolerance, threads);
-        let mut clock = Clock::new(self, model);
         let damped = model.material.zeta > 0.0;
+        let mut motion = Motion::<R>::new(model, start, moving, damped, self.tolerance, threads);
+        let mut clock = Clock::new(self, model);
         motion.kernel.aim(&ramp.targets);
 
         let limit = self.steps.unwrap_or(self.max_steps);

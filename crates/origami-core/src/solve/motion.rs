@@ -22,18 +22,20 @@ pub(super) struct Motion<'m, R: Compute> {
 
 impl<'m, R: Compute> Motion<'m, R> {
     /// The sheet of `start`, which is handed back where it diverges at once, with its nodes at `positions` and moving at
-    /// `velocities`; all at rest where there are none. `threads` of this thread's pool share the passes.
+    /// `velocities`; all at rest where there are none. Forces of damping are there to be asked for where it is `damped`.
+    /// `threads` of this thread's pool share the passes.
     pub(super) fn new(
         model: &'m Model,
         start: &'m State,
         (positions, velocities): (Vec<DVec3>, &[DVec3]),
+        damped: bool,
         tolerance: f64,
         threads: usize,
     ) -> Self {
         let bounds = Bounds { farthest: FARTHEST, longest_move: LONGEST_MOVE };
         Self {
             model,
-            kernel: Kernel::new(model, bounds, &positions, velocities, &start.fold_angles, threads),
+            kernel: Kernel::new(model, damped, bounds, &positions, velocities, &start.fold_angles, threads),
             state: State { positions, ..State::default() },
             settling: Settling::new(model, tolerance),
             guard: Guard::new(model, start),

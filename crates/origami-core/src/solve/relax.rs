@@ -218,7 +218,7 @@ impl Relax {
     ) -> Result<Folded, Failed> {
         let mut ramp = Ramp::new(&start.targets, model.targets(percent), ramp);
         let resting = (self.first_positions(model, start, percent), &[][..]);
-        let mut motion = Motion::<R>::new(model, start, resting, self.tolerance, threads);
+        let mut motion = Motion::<R>::new(model, start, resting, false, self.tolerance, threads);
         let mut fire = Fire::new(model);
         motion.kernel.aim(&ramp.targets);
         let mut turned = 0.0;

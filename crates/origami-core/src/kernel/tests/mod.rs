@@ -65,8 +65,15 @@ impl Scene {
     }
 
     fn shared<R: Compute>(&self, isa: Isa, threads: usize) -> Kernel<R> {
-        let mut kernel =
-            Kernel::<R>::with((isa, threads), &self.model, BOUNDS, &self.positions, &self.velocities, &self.angles);
+        let mut kernel = Kernel::<R>::with(
+            (isa, threads),
+            &self.model,
+            true,
+            BOUNDS,
+            &self.positions,
+            &self.velocities,
+            &self.angles,
+        );
         kernel.aim(&self.targets);
         kernel
     }

@@ -4,7 +4,7 @@
 
 #![expect(clippy::print_stdout, reason = "tables are what it is for")]
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use serde_json::Value;
@@ -19,10 +19,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     steps(&means);
     threads(&means);
     parts(&means, "build", &["pattern", "pattern_of_lines", "model"]);
-    for group in means.keys().map(|(group, _)| group).filter(|group| group.starts_with("files/")) {
-        if means.keys().find(|(other, _)| other == group).is_some_and(|(_, function)| function == "model") {
-            parts(&means, group, &["read", "pattern", "model", "write"]);
-        }
+    let groups: BTreeSet<&str> = means.keys().map(|(group, _)| group.as_str()).collect();
+    for group in groups.into_iter().filter(|group| group.starts_with("files/")) {
+        parts(&means, group, &["read", "pattern", "model", "write"]);
     }
     Ok(())
 }

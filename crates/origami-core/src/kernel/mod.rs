@@ -92,13 +92,11 @@ impl<R: Compute> Kernel<R> {
         angles: &[f64],
     ) -> Self {
         let mut sheet = Sheet::new(model, R::width(isa), damped);
-        let mut at_rest = sheet.places(&model.rest);
-        lookup::fill(&mut at_rest);
+        let at_rest = sheet.places(&model.rest);
         let Sheet { corners, beams, angles: corner_angles, .. } = &mut sheet;
         R::run(isa, AtRest { corners, places: &at_rest, beams, angles: corner_angles });
-        let mut places = sheet.places(positions);
+        let places = sheet.places(positions);
         let mut velocities: Vec<R::Quad> = velocities.iter().map(|v| R::quad_of(*v)).collect();
-        lookup::fill(&mut places);
         velocities.resize(places.len(), R::Quad::default());
         let creases = sheet.stiffness.len();
         let mut angles: Vec<R> = angles.iter().map(|angle| R::of(*angle)).collect();
@@ -119,9 +117,9 @@ impl<R: Compute> Kernel<R> {
         }
     }
 
-    /// Into how many parts a pass is cut at present.
-    pub(crate) fn parts(&self) -> usize {
-        self.team.parts()
+    /// Whether the passes are shared out among threads at present.
+    pub(crate) fn shared(&self) -> bool {
+        self.team.parts() > 1
     }
 
     /// Asks the creases for `targets`, in radians.

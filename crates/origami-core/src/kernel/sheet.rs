@@ -6,6 +6,7 @@ use crate::forces::damping;
 use crate::ids::{NodeId, SideId};
 use crate::model::Model;
 
+use super::lookup::fill;
 use super::real::{Quad64, Real};
 
 /// All about a model that the passes need and that never changes. What the model does not have is an empty list.
@@ -115,9 +116,11 @@ impl<R: Real> Sheet<R> {
         }
     }
 
-    /// The places of all nodes, and of those of the filling.
+    /// The places of all nodes, and of those of the filling, to be looked up.
     pub(super) fn places(&self, positions: &[glam::DVec3]) -> Vec<Quad64> {
-        positions.iter().map(|p| f64::quad_of(*p)).chain(DUMMY.map(Quad64)).collect()
+        let mut places: Vec<Quad64> = positions.iter().map(|p| f64::quad_of(*p)).chain(DUMMY.map(Quad64)).collect();
+        fill(&mut places);
+        places
     }
 
     /// How many vectors faces and loose beams write.

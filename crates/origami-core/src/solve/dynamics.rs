@@ -185,7 +185,7 @@ impl Clock {
             && steps.is_multiple_of(RENEWAL)
         {
             motion.read_nodes();
-            let safe = safe.step(motion.kernel.parts(), motion.model, &motion.state.positions);
+            let safe = safe.step(motion.kernel.shared(), motion.model, &motion.state.positions);
             self.dt = time_step::renewed(safe, &motion.state.velocities, (steps > 0).then_some(self.dt));
         }
         self.dt

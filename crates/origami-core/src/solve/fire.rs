@@ -2,7 +2,7 @@
 //! row sums of the stiffness: every node then moves at its own local step, and a step of 2 would be the stability limit.
 
 use super::motion::Motion;
-use super::row_sums::row_sums_on;
+use super::row_sums::shared_row_sums;
 use crate::kernel::{Compute, Decision, Sums};
 use crate::model::Model;
 
@@ -52,7 +52,7 @@ impl Fire {
     pub(super) fn advance<R: Compute>(&mut self, motion: &mut Motion<'_, R>) -> bool {
         if self.evaluations.is_multiple_of(RENEWAL) {
             motion.read_positions();
-            row_sums_on(motion.kernel.parts(), motion.model, &motion.state.positions, &mut self.sums);
+            shared_row_sums(motion.kernel.shared(), motion.model, &motion.state.positions, &mut self.sums);
             self.masses.clear();
             self.masses.extend(self.sums.iter().map(|mass| [*mass, 1.0 / mass]));
         }

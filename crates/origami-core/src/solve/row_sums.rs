@@ -17,38 +17,38 @@ const BLOCK: usize = 4096;
 
 /// Writes `K_i` of every node at `positions`; all above 0, as every node has a beam.
 pub fn row_sums(model: &Model, positions: &[DVec3], sums: &mut [f64]) {
-    row_sums_on(1, model, positions, sums);
+    shared_row_sums(false, model, positions, sums);
 }
 
-/// The same, on so many threads of this thread's pool; equal bits for any number.
-pub(super) fn row_sums_on(threads: usize, model: &Model, positions: &[DVec3], sums: &mut [f64]) {
+/// The same, `shared` out among the threads of this thread's pool or not: equal bits.
+pub(super) fn shared_row_sums(shared: bool, model: &Model, positions: &[DVec3], sums: &mut [f64]) {
     sums.fill(0.0);
     for beam in &model.beams {
         for n in beam.nodes {
             sums[n.index()] += 2.0 * beam.stiffness;
         }
     }
-    add_springs(threads, model, positions, sums);
+    add_springs(shared, model, positions, sums);
 }
 
 /// `K_i` of every node at rest as if its beams did not resist, and that of its beams where it has nothing else.
 #[must_use]
 pub fn soft_sums(model: &Model) -> Vec<f64> {
     let mut sums = vec![0.0; model.node_count()];
-    add_springs(1, model, &model.rest, &mut sums);
+    add_springs(false, model, &model.rest, &mut sums);
     let mut with_beams = vec![0.0; model.node_count()];
     row_sums(model, &model.rest, &mut with_beams);
     sums.iter().zip(with_beams).map(|(soft, all)| if *soft > 0.0 { *soft } else { all }).collect()
 }
 
 /// Adds what creases and corner angles have.
-fn add_springs(threads: usize, model: &Model, positions: &[DVec3], sums: &mut [f64]) {
+fn add_springs(shared: bool, model: &Model, positions: &[DVec3], sums: &mut [f64]) {
     let at = |nodes: [NodeId; 4]| nodes.map(|n| positions[n.index()]);
     let of_crease = |crease: &Crease| {
         let gradient = hinge(at(crease.nodes))?.gradient.map(DVec3::length);
         Some(shares(gradient).map(|share| crease.stiffness * share))
     };
-    add(threads, &model.creases, |crease| crease.nodes, of_crease, sums);
+    add(shared, &model.creases, |crease| crease.nodes, of_crease, sums);
     let k_face = model.material.k_face;
     let of_triangle = |corners: &CornerAngles| {
         let triangle = Triangle::new(corners.nodes.map(|n| positions[n.index()]));
@@ -67,7 +67,7 @@ fn add_springs(threads: usize, model: &Model, positions: &[DVec3], sums: &mut [f
         }
         Some(sums)
     };
-    add(threads, &model.corner_angles, |corners| corners.nodes, of_triangle, sums);
+    add(shared, &model.corner_angles, |corners| corners.nodes, of_triangle, sums);
 }
 
 /// `|J_i| sum_j |J_j|`.
@@ -78,7 +78,7 @@ fn shares<const N: usize>(gradient: [f64; N]) -> [f64; N] {
 
 /// Adds to the nodes of each spring what is `of` it, spring after spring.
 fn add<S: Sync, const N: usize>(
-    threads: usize,
+    shared: bool,
     springs: &[S],
     nodes: impl Fn(&S) -> [NodeId; N],
     of: impl Fn(&S) -> Option<[f64; N]> + Sync,
@@ -86,7 +86,7 @@ fn add<S: Sync, const N: usize>(
 ) {
     let mut found = Vec::with_capacity(BLOCK.min(springs.len()));
     for block in springs.chunks(BLOCK) {
-        if threads > 1 {
+        if shared {
             block.par_iter().with_min_len(BLOCK / 4).map(&of).collect_into_vec(&mut found);
         } else {
             found.clear();

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::Integrator;
-use super::row_sums::row_sums_on;
+use super::row_sums::shared_row_sums;
 use crate::forces::damping;
 use crate::model::Model;
 
@@ -37,7 +37,7 @@ pub const SAFE_SHARE: f64 = 0.9;
 /// that of an extrapolated velocity, bears half as much of it: `K dt^2 + 4 D dt < 4`.
 #[must_use]
 pub fn safe(model: &Model, positions: &[DVec3], integrator: Integrator) -> f64 {
-    Safe::new(model, integrator).step(1, model, positions)
+    Safe::new(model, integrator).step(false, model, positions)
 }
 
 /// What [`safe`] needs of a model that stays as the geometry changes.
@@ -53,9 +53,9 @@ impl Safe {
         Self { damping: damping_sum(model, integrator), sums: vec![0.0; model.node_count()] }
     }
 
-    /// Found on so many threads.
-    pub(super) fn step(&mut self, threads: usize, model: &Model, positions: &[DVec3]) -> f64 {
-        row_sums_on(threads, model, positions, &mut self.sums);
+    /// Found by all threads of this thread's pool where it is `shared`.
+    pub(super) fn step(&mut self, shared: bool, model: &Model, positions: &[DVec3]) -> f64 {
+        shared_row_sums(shared, model, positions, &mut self.sums);
         let stiffness = self.sums.iter().fold(0.0, |a: f64, b| a.max(*b));
         // (-D + sqrt(D^2 + 4 K)) / K without the difference of nearly equal numbers.
         SAFE_SHARE * 4.0 / (self.damping + (self.damping * self.damping + 4.0 * stiffness).sqrt())

@@ -15,6 +15,7 @@ pub mod measure;
 pub mod mesh;
 pub mod model;
 pub mod pattern;
+pub mod scene;
 pub mod solve;
 
 pub use error::{Error, Warning};

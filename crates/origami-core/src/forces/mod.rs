@@ -16,28 +16,59 @@ pub use energy::Energy;
 
 use glam::DVec3;
 
+use crate::ids::NodeId;
 use crate::model::Model;
+use crate::scene::{Axes, Held, Reaction, Scene};
 
-/// Computes the forces of a model's springs; keeps the memory that this needs from one evaluation to the next.
+/// Computes the forces on a sheet: those of its springs, and those of its scene. Keeps the memory that this needs from one
+/// evaluation to the next.
 #[derive(Clone, Debug)]
 pub struct Forces<'m> {
     model: &'m Model,
+    scene: Option<&'m Scene>,
+    held: Held,
     anchors: Vec<angle::Anchor>,
     values: Vec<DVec3>,
+    /// 0: what forces of one's own are told where the equilibrium is sought.
+    no_velocities: Vec<DVec3>,
+    reactions: Vec<Reaction>,
 }
 
 impl<'m> Forces<'m> {
-    /// For `model`.
+    /// The springs of `model`; the vertices that its pattern fixes are held.
     #[must_use]
     pub fn new(model: &'m Model) -> Self {
+        Self::with(model, None, Held::new(model, &Scene::default()))
+    }
+
+    /// The springs of `model`, loads, forces of one's own and supports of `scene`.
+    #[must_use]
+    pub fn in_scene(model: &'m Model, scene: &'m Scene) -> Self {
+        Self::with(model, Some(scene), Held::new(model, scene))
+    }
+
+    /// The same with other nodes held than those that the scene supports.
+    #[must_use]
+    pub fn holding(model: &'m Model, scene: &'m Scene, held: Held) -> Self {
+        Self::with(model, Some(scene), held)
+    }
+
+    fn with(model: &'m Model, scene: Option<&'m Scene>, held: Held) -> Self {
+        let scene = scene.filter(|scene| !scene.has_springs_only());
+        let own = scene.is_some_and(|scene| !scene.forces.is_empty());
         Self {
             model,
+            scene,
+            held,
             anchors: vec![angle::Anchor::default(); model.creases.len()],
             values: vec![DVec3::ZERO; model.node_count()],
+            no_velocities: if own { vec![DVec3::ZERO; model.node_count()] } else { Vec::new() },
+            reactions: Vec::new(),
         }
     }
 
-    /// Forces of beams, creases and corner angles at `positions`, by node; fixed nodes feel none.
+    /// Forces of beams, creases and corner angles, loads and forces of one's own at `positions`, by node; held nodes feel
+    /// none along the axes that hold them.
     ///
     /// `targets` are the angles asked of the creases; `fold_angles` holds the angles of the evaluation before, from
     /// which the new ones are told apart by whole turns, and receives the new ones. Both in radians, by crease.
@@ -46,9 +77,26 @@ impl<'m> Forces<'m> {
         beams::add_forces(self.model, positions, &mut self.values);
         creases::add_forces(self.model, positions, targets, fold_angles, &mut self.anchors, &mut self.values);
         corner_angles::add_forces(self.model, positions, &mut self.values);
-        for node in &self.model.fixed {
-            self.values[node.index()] = DVec3::ZERO;
+        if let Some(scene) = self.scene {
+            scene.loads.iter().for_each(|load| self.values[load.node.index()] += load.force);
+            scene.forces.iter().for_each(|own| own.add_forces(positions, &self.no_velocities, &mut self.values));
         }
+        let reaction = |(node, axes): (NodeId, Axes)| Reaction { node, force: -axes.of(self.values[node.index()]) };
+        self.reactions.clear();
+        self.reactions.extend(self.held.iter().map(reaction));
+        self.held.clear(&mut self.values);
         &mut self.values
+    }
+
+    /// What the supports did to the held nodes in the last evaluation, in the order of the nodes.
+    #[must_use]
+    pub fn reactions(&self) -> &[Reaction] {
+        &self.reactions
+    }
+
+    /// The held nodes.
+    #[must_use]
+    pub fn held(&self) -> &Held {
+        &self.held
     }
 }

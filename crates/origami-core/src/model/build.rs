@@ -1,24 +1,24 @@
 //! From pattern and mesh to springs.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use super::{Beam, CornerAngles, Crease, DEGENERATE, Inventory, Material, Model, Normalisation};
+use super::{Beam, CornerAngles, Crease, DEGENERATE, Inventory, Material, Model, Sheet, StiffnessSource};
 use crate::error::{Error, Short};
 use crate::ids::{NodeId, SideId, TriangleId};
 use crate::mesh::{Mesh, Side};
 use crate::pattern::{Assignment, CreasePattern, PatternEdge, fold_angle};
 
-pub(super) fn build(pattern: &CreasePattern, mesh: Mesh, material: &Material) -> Result<Model, Error> {
+pub(super) fn build(pattern: &CreasePattern, sheet: Arc<Sheet>, material: &Material) -> Result<Model, Error> {
     material.check()?;
-    let node_points = mesh.vertex_of_node.iter().map(|v| pattern.vertices[v.index()]);
-    let normalisation = Normalisation::of(node_points.clone())?;
-    let rest: Vec<DVec3> = node_points.map(|p| normalisation.to_model(p)).collect();
+    let Sheet { mesh, rest, .. } = &*sheet;
     let mut inventory = Inventory::default();
 
-    let beams = beams(pattern, &mesh, material, &rest)?;
+    let beams = beams(pattern, mesh, material, rest)?;
     inventory.built("beams", beams.len());
-    let creases = creases(pattern, &mesh, material, &rest, &mut inventory);
-    let corner_angles = corner_angles(&mesh, material, &rest, &mut inventory);
+    let creases = creases(pattern, mesh, material, rest, &mut inventory);
+    let corner_angles = corner_angles(mesh, material, rest, &mut inventory);
 
     let mut fixed: Vec<NodeId> = pattern.fixed.iter().filter_map(|v| mesh.node_of_vertex[v.index()]).collect();
     fixed.sort_unstable();
@@ -30,7 +30,7 @@ pub(super) fn build(pattern: &CreasePattern, mesh: Mesh, material: &Material) ->
     let isolated = pattern.vertices.len() - mesh.node_count() - pattern.alias_of.iter().flatten().count();
     inventory.left_out("vertices", isolated, "no edge or face uses them");
 
-    Ok(Model { mesh, material: *material, normalisation, rest, beams, creases, corner_angles, fixed, inventory })
+    Ok(Model { sheet, material: *material, beams, creases, corner_angles, fixed, inventory })
 }
 
 fn edge_of<'p>(pattern: &'p CreasePattern, side: &Side) -> Option<&'p PatternEdge> {
@@ -41,7 +41,8 @@ fn beams(pattern: &CreasePattern, mesh: &Mesh, material: &Material, rest: &[DVec
     let beam = |side: &Side| {
         let [i, j] = side.nodes;
         let rest_length = rest[i.index()].distance(rest[j.index()]);
-        let ea = edge_of(pattern, side).and_then(|e| e.ea).unwrap_or(material.ea);
+        let own = edge_of(pattern, side).and_then(|e| e.ea);
+        let ea = own.unwrap_or(material.ea);
         let stiffness = ea / rest_length;
         if !(stiffness.is_finite() && stiffness > 0.0) {
             let [a, b] = [i, j].map(|n| mesh.vertex_of_node[n.index()].0);
@@ -55,7 +56,7 @@ fn beams(pattern: &CreasePattern, mesh: &Mesh, material: &Material, rest: &[DVec
                 "two different places and a rigidity above 0",
             ));
         }
-        Ok(Beam { nodes: side.nodes, rest_length, stiffness })
+        Ok(Beam { nodes: side.nodes, rest_length, stiffness, own: own.is_some() })
     };
     mesh.sides.iter().map(beam).collect()
 }
@@ -117,34 +118,40 @@ fn crease(
     let heights = [points[0], points[1]].map(|p| (points[3] - points[2]).cross(p - points[2]).length() / length);
     let thick = length >= DEGENERATE && heights.iter().all(|h| *h >= DEGENERATE);
     let rest_angle = thick.then(|| fold_angle(points[0], points[1], points[2], points[3]));
-    let (kind, goal) = match edge {
+    let (kind, target) = match edge {
         // A diagonal keeps the angle that the sheet has there: 0 on a flat pattern.
         None => (Kind::Facet, rest_angle.unwrap_or(0.0)),
         Some(edge) => {
-            let goal = edge.fold_angle.ok_or(NoSpring::Undriven)?;
+            let target = edge.fold_angle.ok_or(NoSpring::Undriven)?;
             match edge.assignment {
-                Assignment::Mountain | Assignment::Valley => (Kind::Fold, goal),
-                Assignment::Flat | Assignment::Join if goal == 0.0 => (Kind::Facet, goal),
-                Assignment::Flat | Assignment::Join => (Kind::Fold, goal),
+                Assignment::Mountain | Assignment::Valley => (Kind::Fold, target),
+                Assignment::Flat | Assignment::Join if target == 0.0 => (Kind::Facet, target),
+                Assignment::Flat | Assignment::Join => (Kind::Fold, target),
                 Assignment::Boundary | Assignment::Unassigned => return Err(NoSpring::Undriven),
             }
         }
     };
     let of_material = if kind == Kind::Fold { material.k_fold } else { material.k_facet };
-    let per_length = edge.and_then(|e| e.k_crease).unwrap_or(of_material);
+    let own = edge.and_then(|e| e.k_crease);
+    let per_length = own.unwrap_or(of_material);
     if per_length == 0.0 {
         return Err(NoSpring::ZeroStiffness);
     }
-    let rest_angle = with_turn(rest_angle.ok_or(NoSpring::Degenerate)?, goal);
-    Ok((Crease { nodes, stiffness: length * per_length, goal, rest_angle, side }, kind))
+    let rest_angle = with_turn(rest_angle.ok_or(NoSpring::Degenerate)?, target);
+    let source = match (own, kind) {
+        (Some(_), _) => StiffnessSource::Own,
+        (None, Kind::Fold) => StiffnessSource::Fold,
+        (None, Kind::Facet) => StiffnessSource::Facet,
+    };
+    Ok((Crease { nodes, stiffness: length * per_length, source, full_target: target, rest_angle, side }, kind))
 }
 
-/// An angle measured within half a turn, with the turn that the goal suggests: a crease folded flat may lie a little past
+/// An angle measured within half a turn, with the turn that the target suggests: a crease folded flat may lie a little past
 /// half a turn, and its faces then look as if it were folded flat the other way.
-fn with_turn(measured: f64, goal: f64) -> f64 {
+fn with_turn(measured: f64, target: f64) -> f64 {
     const NEARLY_FLAT: f64 = 160.0;
-    let past = measured * goal < 0.0 && measured.abs() > NEARLY_FLAT.to_radians();
-    if past { measured + std::f64::consts::TAU.copysign(goal) } else { measured }
+    let past = measured * target < 0.0 && measured.abs() > NEARLY_FLAT.to_radians();
+    if past { measured + std::f64::consts::TAU.copysign(target) } else { measured }
 }
 
 fn corner_angles(mesh: &Mesh, material: &Material, rest: &[DVec3], inventory: &mut Inventory) -> Vec<CornerAngles> {

@@ -6,19 +6,23 @@ mod grid;
 mod inventory;
 mod material;
 mod normalisation;
+mod sheet;
 
-pub use elements::{Beam, CornerAngles, Crease};
+pub use elements::{Beam, CornerAngles, Crease, StiffnessSource};
 pub use grid::MaterialGrid;
 pub use inventory::{Built, Inventory, LeftOut};
 pub use material::Material;
 pub use normalisation::Normalisation;
+pub use sheet::Sheet;
+
+use std::ops::Deref;
+use std::sync::Arc;
 
 use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::error::Error;
-use crate::ids::NodeId;
-use crate::mesh::{Mesh, triangulate};
+use crate::ids::{CreaseId, EdgeId, NodeId, VertexId};
 use crate::pattern::CreasePattern;
 
 /// Heights and lengths under this many radii carry no hinge and no corner angle: their forces grow as 1 / height, and
@@ -29,14 +33,10 @@ pub const DEGENERATE: f64 = 1e-6;
 /// [`Model::file_positions`].
 #[derive(Clone, Debug)]
 pub struct Model {
-    /// Topology.
-    pub mesh: Mesh,
+    /// Mesh, rest positions and scale: one for all models of a pattern.
+    pub sheet: Arc<Sheet>,
     /// What it is made of.
     pub material: Material,
-    /// File units to radii and back.
-    pub normalisation: Normalisation,
-    /// Positions at rest, by node.
-    pub rest: Vec<DVec3>,
     /// All beams; beam `i` lies on side `i`.
     pub beams: Vec<Beam>,
     /// Hinges that have a spring.
@@ -55,7 +55,7 @@ impl Model {
     /// # Errors
     /// [`Error::Invalid`] for a material out of range, a face that cannot be triangulated, a beam of no length.
     pub fn new(pattern: &CreasePattern, material: &Material) -> Result<Self, Error> {
-        build::build(pattern, mesh(pattern)?, material)
+        build::build(pattern, Arc::new(Sheet::new(pattern)?), material)
     }
 
     /// One model for each of `materials`, in their order, as [`Model::new`] makes them. The pattern is triangulated once.
@@ -63,8 +63,8 @@ impl Model {
     /// # Errors
     /// As for [`Model::new`], of the first material that has one.
     pub fn of_each(pattern: &CreasePattern, materials: &[Material]) -> Result<Vec<Self>, Error> {
-        let mesh = mesh(pattern)?;
-        let models = materials.par_iter().map(|material| build::build(pattern, mesh.clone(), material));
+        let sheet = Arc::new(Sheet::new(pattern)?);
+        let models = materials.par_iter().map(|material| build::build(pattern, Arc::clone(&sheet), material));
         // Collected at once, rayon would give any of several errors.
         models.collect::<Vec<_>>().into_iter().collect()
     }
@@ -75,10 +75,24 @@ impl Model {
         self.rest.len()
     }
 
+    /// The node of a vertex of the pattern; `None` for one that no edge or face uses.
+    #[must_use]
+    pub fn node(&self, vertex: VertexId) -> Option<NodeId> {
+        self.mesh.node_of_vertex.get(vertex.index()).copied().flatten()
+    }
+
+    /// The crease on an edge of the pattern; `None` where it has no spring (a border, an undriven edge).
+    #[must_use]
+    pub fn crease_of(&self, edge: EdgeId) -> Option<CreaseId> {
+        let side = self.mesh.side_of_edge.get(edge.index()).copied().flatten()?;
+        // Creases lie in the order of their sides.
+        self.creases.binary_search_by_key(&side, |crease| crease.side).ok().map(CreaseId::new)
+    }
+
     /// The fold angle asked of each crease at `percent` of the pattern's angles, in radians.
     #[must_use]
     pub fn targets(&self, percent: f64) -> Vec<f64> {
-        self.creases.iter().map(|c| c.goal * percent / 100.0).collect()
+        self.creases.iter().map(|c| c.full_target * percent / 100.0).collect()
     }
 
     /// Node positions as positions of the pattern's vertices, in the file's units. Vertices that are no part of the
@@ -94,7 +108,11 @@ impl Model {
     }
 }
 
-fn mesh(pattern: &CreasePattern) -> Result<Mesh, Error> {
-    let triangulation = triangulate::triangulate(pattern)?;
-    Mesh::new(pattern, &triangulation.triangles, triangulation.face_of)
+/// A model is its sheet with springs: `model.mesh`, `model.rest` and `model.normalisation` are the sheet's.
+impl Deref for Model {
+    type Target = Sheet;
+
+    fn deref(&self) -> &Sheet {
+        &self.sheet
+    }
 }

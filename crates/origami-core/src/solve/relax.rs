@@ -86,8 +86,8 @@ fn ramp_from(model: &Model, start: &State, percent: f64) -> u32 {
     if model.creases.iter().zip(&start.targets).all(|(crease, target)| crease.rest_angle == *target) {
         return whole;
     }
-    let steps = model.creases.iter().zip(&start.targets).map(|(c, target)| (c.goal * percent / 100.0 - target).abs());
-    let goals = model.creases.iter().map(|c| c.goal.abs());
+    let steps = model.creases.iter().zip(&start.targets).map(|(c, target)| (c.full_target * percent / 100.0 - target).abs());
+    let goals = model.creases.iter().map(|c| c.full_target.abs());
     let share = steps.fold(0.0, f64::max) / goals.fold(0.0, f64::max);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a u32, saturating")]
     let part = (share * f64::from(whole)) as u32;

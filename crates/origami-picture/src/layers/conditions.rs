@@ -48,11 +48,11 @@ pub(super) fn add(model: &Model, positions: &[DVec3], pairs: &Pairs, order: &mut
 
 /// A valley lays its second triangle on the front of the first, a mountain on the back.
 fn directions(model: &Model, pairs: &Pairs, order: &mut Order) {
-    for crease in model.creases.iter().filter(|crease| crease.goal.abs() > 0.1) {
+    for crease in model.creases.iter().filter(|crease| crease.full_target.abs() > 0.1) {
         let [Some(one), Some(two)] = model.mesh.sides[crease.side.index()].triangles else { continue };
         if let Some(above) = order.is_above(one.0, two.0) {
             let front_is_up = pairs.normals[one.index()].dot(pairs.up[one.index()]) > 0.0;
-            order.demand(above, (crease.goal > 0.0) == front_is_up);
+            order.demand(above, (crease.full_target > 0.0) == front_is_up);
         }
     }
 }

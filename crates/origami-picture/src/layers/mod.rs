@@ -97,7 +97,7 @@ mod tests {
             let pattern = SingleCrease { angle: angle.to_radians(), ..SingleCrease::default() }.pattern().unwrap();
             let (model, positions) = folded(&pattern, 100.0);
             let layers = stack(&model, &positions).layers;
-            let crease = model.creases.iter().find(|c| c.goal.abs() > 3.0).unwrap();
+            let crease = model.creases.iter().find(|c| c.full_target.abs() > 3.0).unwrap();
             let [Some(one), Some(two)] = model.mesh.sides[crease.side.index()].triangles else { panic!("two faces") };
             let [a, b, c] = model.mesh.triangles[one.index()].map(|n| positions[n.index()]);
             let front = (b - a).cross(c - a).normalize();

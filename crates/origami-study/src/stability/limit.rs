@@ -49,7 +49,7 @@ pub(super) fn largest(
 ) -> Option<f64> {
     let mut asked = model.clone();
     for (crease, target) in asked.creases.iter_mut().zip(&equilibrium.targets) {
-        crease.goal = *target;
+        crease.full_target = *target;
     }
     let mut vibration = Vibration::new(&asked, equilibrium, integrator, effort.half);
     let (mut holds, mut fails) = (None, None);

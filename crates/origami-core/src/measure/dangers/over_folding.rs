@@ -14,9 +14,9 @@ const PAST: f64 = PI * (1.0 + 1e-9);
 pub(super) fn over_folding(model: &Model, percents: &[f64]) -> Option<Warning> {
     let percent = percents.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
     let asked = |goal: f64| (goal * percent / 100.0).abs();
-    let past = model.creases.iter().filter(|crease| crease.stiffness > 0.0 && asked(crease.goal) > PAST);
+    let past = model.creases.iter().filter(|crease| crease.stiffness > 0.0 && asked(crease.full_target) > PAST);
     let ends: Vec<[NodeId; 2]> = past.clone().map(|crease| [crease.nodes[2], crease.nodes[3]]).collect();
-    let most = past.map(|crease| asked(crease.goal)).fold(0.0, f64::max).to_degrees();
+    let most = past.map(|crease| asked(crease.full_target)).fold(0.0, f64::max).to_degrees();
     (!ends.is_empty()).then(|| {
         let message = format!(
             "asked to fold past 180 degrees at {percent} %, up to {most:.1}: there its sides go through each other, and \

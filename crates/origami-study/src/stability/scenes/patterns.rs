@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn a_hinge_is_in_the_models_units() {
         let hinge = model(&hinge(0.25, 1.0));
-        assert_eq!((hinge.rest[2], hinge.creases[0].goal), (DVec3::new(0.0, 0.25, 0.0), 1.0));
+        assert_eq!((hinge.rest[2], hinge.creases[0].full_target), (DVec3::new(0.0, 0.25, 0.0), 1.0));
         assert_eq!(hinge.creases[0].stiffness, 2.0 * 0.7);
     }
 

@@ -1,0 +1,153 @@
+//! What can be refused before the work is.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use super::{Needs, Scene};
+use crate::ids::NodeId;
+use crate::model::Model;
+
+/// Why a scene cannot be run.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// A percentage is not a number.
+    #[error("targets: {0} %; expected a finite percentage")]
+    Percent(f64),
+    /// There are too few targets, or too many.
+    #[error("targets: {given} angles; expected one for each of the model's {creases} creases")]
+    TargetCount {
+        /// How many there are.
+        given: usize,
+        /// How many creases have a spring.
+        creases: usize,
+    },
+    /// A target is not a number.
+    #[error("targets[{crease}]: {angle}; expected a finite angle in radians")]
+    Target {
+        /// Its index.
+        crease: usize,
+        /// The angle.
+        angle: f64,
+    },
+    /// A support or a load is on a node that the sheet does not have.
+    #[error("{what}[{index}]: node {}; expected one of the sheet's {nodes} nodes", node.0)]
+    Node {
+        /// `supports` or `loads`.
+        what: &'static str,
+        /// The index of the support or load.
+        index: usize,
+        /// The node.
+        node: NodeId,
+        /// How many nodes there are.
+        nodes: usize,
+    },
+    /// A prescribed position or a load is not a number.
+    #[error("{what}[{index}]: {vector}; expected finite numbers")]
+    NotFinite {
+        /// `supports` or `loads`.
+        what: &'static str,
+        /// The index of the support or load.
+        index: usize,
+        /// The vector.
+        vector: DVec3,
+    },
+    /// Loads push a sheet that nothing holds: it has no equilibrium.
+    #[error("loads: their sum is {sum}, and nothing holds the sheet; expected supports, or loads in balance")]
+    Unbalanced {
+        /// The sum of the loads.
+        sum: DVec3,
+    },
+    /// A force of one's own lacks what the solver needs.
+    #[error("force `{force}`: it has no {needs}, which {solver} needs; {instead}")]
+    Lacks {
+        /// The force's line in the inventory.
+        force: &'static str,
+        /// What it lacks.
+        needs: Needs,
+        /// What needs it.
+        solver: &'static str,
+        /// What can be done.
+        instead: &'static str,
+    },
+    /// What computes cannot do that.
+    #[error("{what}: {backend} cannot compute them; expected {expected}")]
+    Unsupported {
+        /// What the scene has, such as `forces`.
+        what: &'static str,
+        /// What was to compute it.
+        backend: &'static str,
+        /// What can.
+        expected: &'static str,
+    },
+}
+
+impl fmt::Display for Needs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Energy => "energy",
+            Self::RowSums => "bound on its row sums",
+            Self::Hessian => "Hessian",
+        })
+    }
+}
+
+impl Scene {
+    /// Whether supports and loads are on nodes that the sheet has, and all numbers are finite.
+    ///
+    /// # Errors
+    /// The first thing that is wrong.
+    pub fn check(&self, model: &Model) -> Result<(), Refusal> {
+        self.targets.of(model)?;
+        let nodes = model.node_count();
+        let supports = self.supports.iter().map(|s| (s.node, s.position.unwrap_or_default()));
+        let loads = self.loads.iter().map(|load| (load.node, load.force));
+        let check = |what, index, (node, vector): (NodeId, DVec3)| {
+            if node.index() >= nodes {
+                return Err(Refusal::Node { what, index, node, nodes });
+            }
+            if !vector.is_finite() {
+                return Err(Refusal::NotFinite { what, index, vector });
+            }
+            Ok(())
+        };
+        supports.enumerate().try_for_each(|(i, given)| check("supports", i, given))?;
+        loads.enumerate().try_for_each(|(i, given)| check("loads", i, given))
+    }
+
+    /// Whether there can be an equilibrium: loads on a sheet that nothing holds must be in balance.
+    ///
+    /// # Errors
+    /// [`Refusal::Unbalanced`].
+    pub fn check_balance(&self, model: &Model) -> Result<(), Refusal> {
+        let held = !(model.fixed.is_empty() && self.supports.is_empty() && self.forces.is_empty());
+        let sum: DVec3 = self.loads.iter().map(|load| load.force).sum();
+        let size: f64 = self.loads.iter().map(|load| load.force.length()).sum();
+        if held || sum.length() <= 1e-12 * size { Ok(()) } else { Err(Refusal::Unbalanced { sum }) }
+    }
+
+    /// Whether each force of one's own has what `solver` needs; `instead` is what can be done.
+    ///
+    /// # Errors
+    /// [`Refusal::Lacks`] of the first that does not.
+    pub fn check_forces(
+        &self,
+        model: &Model,
+        needs: &[Needs],
+        solver: &'static str,
+        instead: &'static str,
+    ) -> Result<(), Refusal> {
+        for force in &self.forces {
+            let has = |needs: &Needs| match needs {
+                Needs::Energy => force.energy(&model.rest).is_some(),
+                Needs::RowSums => force.add_row_sums(&model.rest, &mut vec![0.0; model.node_count()]),
+                Needs::Hessian => force.add_hessian(&model.rest, &mut |_, _, _| {}),
+            };
+            if let Some(lacking) = needs.iter().find(|needs| !has(needs)) {
+                return Err(Refusal::Lacks { force: force.inventory().what, needs: *lacking, solver, instead });
+            }
+        }
+        Ok(())
+    }
+}

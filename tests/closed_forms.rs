@@ -3,6 +3,8 @@
 
 mod common;
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use common::model;
 use origami::generate::closed_form::{
     Degree4Mode, KreslingFold, YoshimuraFold, degree4, loop_closure, waterbomb_polar,
@@ -45,7 +47,7 @@ fn by_each_solver(scene: impl Fn(&Method)) {
 
 impl Method {
     fn fold(&self, model: &Model, start: &State) -> Folded {
-        let folded = self.solver.fold(model, start, 100.0, &mut |_| {}).expect("holds");
+        let folded = self.solver.fold(model, start, &Scene::percent(100.0), &mut unwatched).expect("holds");
         assert!(folded.converged(), "distance {} after {} steps", folded.distance, folded.steps);
         folded
     }
@@ -162,7 +164,7 @@ fn loops_close_where_the_fold_is_rigid_and_not_where_it_is_strained() {
             let folded = method.fold(&model, &State::at_rest(&model)).state;
             let closure = worst_closure(&model, &folded);
             assert!(closure < 10.0 * method.near, "{closure}");
-            let halfway = method.solver.fold(&model, &State::at_rest(&model), 60.0, &mut |_| {}).expect("holds");
+            let halfway = method.solver.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched).expect("holds");
             assert!(worst_closure(&model, &halfway.state) > 1e-4, "at 60 % the sheet is strained");
         }
     });

@@ -3,6 +3,9 @@
 
 mod common;
 
+use std::ops::ControlFlow;
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use common::gpu::gpu;
 use common::largest_distance;
 use origami::generate::{BirdBase, Fan, Kresling, Miura, Waterbomb};
@@ -151,7 +154,7 @@ fn start(model: &Model) -> State {
 }
 
 fn folded(solver: &dyn Solver, model: &Model, percent: f64) -> Folded {
-    solver.fold(model, &start(model), percent, &mut |_| {}).expect("it holds")
+    solver.fold(model, &start(model), &Scene::percent(percent), &mut unwatched).expect("it holds")
 }
 
 fn apart(a: &State, b: &State) -> f64 {
@@ -286,7 +289,7 @@ fn a_path_in_one_session_is_the_same_as_stage_by_stage() {
     let path = fold_path(&model, &solver, &percents, &mut |_, _| {}).expect("it holds");
     let mut state = State::at_rest(&model);
     for (stage, percent) in path.iter().zip(percents) {
-        let alone = solver.fold(&model, &state, percent, &mut |_| {}).expect("it holds");
+        let alone = solver.fold(&model, &state, &Scene::percent(percent), &mut unwatched).expect("it holds");
         assert_eq!((&stage.state, stage.steps), (&alone.state, alone.steps), "{percent} %");
         assert!(stage.converged(), "{percent} %");
         state = alone.state;
@@ -314,7 +317,7 @@ fn progress_is_told_in_order() {
     let model = sheet("miura");
     let mut told = Vec::new();
     let solver = gpu.with(Relax::default());
-    let folded = solver.fold(&model, &start(&model), 50.0, &mut |progress| told.push(progress)).expect("it holds");
+    let folded = solver.fold(&model, &start(&model), &Scene::percent(50.0), &mut |progress| told.push(progress)).expect("it holds");
     assert!(told.len() > 5, "{} reports", told.len());
     assert!(told.windows(2).all(|pair| pair[0].step <= pair[1].step && pair[0].ramp <= pair[1].ramp));
     assert!(told[0].distance.is_infinite() && told[0].ramp < 0.5);
@@ -323,7 +326,7 @@ fn progress_is_told_in_order() {
 }
 
 fn diverged(solver: &dyn Solver, model: &Model) -> origami::solve::Diverged {
-    let failed = solver.fold(model, &start(model), 60.0, &mut |_| {}).expect_err("the step is too long");
+    let failed = solver.fold(model, &start(model), &Scene::percent(60.0), &mut unwatched).expect_err("the step is too long");
     let Failed::Diverged(diverged) = failed else { panic!("{failed}") };
     diverged
 }
@@ -361,7 +364,7 @@ fn a_step_that_is_no_number_is_found_at_once() {
 
 fn instances(models: &[Model]) -> Vec<Instance<'_>> {
     let percents = [20.0, 55.0, 80.0].into_iter().cycle();
-    models.iter().zip(percents).map(|(model, percent)| Instance { model, start: start(model), percent }).collect()
+    models.iter().zip(percents).map(|(model, percent)| Instance { model, start: start(model), scene: Scene::percent(percent) }).collect()
 }
 
 /// Whether each of an ensemble is what it is alone, on the same adapter and by the same passes.
@@ -370,10 +373,10 @@ where
     origami::gpu::OnGpu<S>: Solver,
 {
     let solver = gpu.with(method.clone()).dispatch(dispatch);
-    let all = solver.fold_all(instances, &|_, _| {});
+    let all = solver.fold_all(instances, &|_, _| ControlFlow::Continue(()));
     assert_eq!(all.len(), instances.len());
     for (i, (instance, together)) in instances.iter().zip(all).enumerate() {
-        let alone = solver.fold(instance.model, &instance.start, instance.percent, &mut |_| {}).expect("it holds");
+        let alone = solver.fold(instance.model, &instance.start, &Scene::percent(instance.percent), &mut unwatched).expect("it holds");
         let together = together.expect("it holds");
         assert_eq!((together.percent, together.steps, together.stop), (alone.percent, alone.steps, alone.stop), "{i}");
         let far = apart(&together.state, &alone.state);
@@ -412,11 +415,11 @@ fn ensembles_converge_as_on_the_processor() {
     let plain = Material::default();
     let models = Model::of_each(&pattern, &[plain, Material { k_fold: 2.0, ..plain }]).expect("models");
     let percents = [0.0, 25.0, 50.0, 75.0];
-    let of = |model| percents.map(|percent| Instance { model, start: start(model), percent });
+    let of = |model| percents.map(|percent| Instance { model, start: start(model), scene: Scene::percent(percent) });
     let instances: Vec<Instance<'_>> = models.iter().flat_map(of).collect();
     let (ours, theirs) = (
-        gpu.with(Relax::default()).fold_all(&instances, &|_, _| {}),
-        Relax::default().fold_all(&instances, &|_, _| {}),
+        gpu.with(Relax::default()).fold_all(&instances, &|_, _| ControlFlow::Continue(())),
+        Relax::default().fold_all(&instances, &|_, _| ControlFlow::Continue(())),
     );
     for ((instance, ours), theirs) in instances.iter().zip(ours).zip(theirs) {
         let (ours, theirs) = (ours.expect("it holds"), theirs.expect("it holds"));
@@ -439,8 +442,8 @@ fn one_that_diverges_does_not_disturb_the_others() {
     let step = origami::solve::time_step::paper(&models[0]);
     let method = Dynamics { time_step: TimeStep::Fixed(step), steps: Some(250), ..Dynamics::default() };
     for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
-        let ours = gpu.with(method.clone()).dispatch(dispatch).fold_all(&instances, &|_, _| {});
-        let theirs = method.fold_all(&instances, &|_, _| {});
+        let ours = gpu.with(method.clone()).dispatch(dispatch).fold_all(&instances, &|_, _| ControlFlow::Continue(()));
+        let theirs = method.fold_all(&instances, &|_, _| ControlFlow::Continue(()));
         for place in [0, 2] {
             let [ours, theirs] = [&ours, &theirs].map(|all| &all[place].as_ref().expect("it holds").state);
             assert!(apart(ours, theirs) < TRAJECTORY, "instance {place}");
@@ -457,7 +460,7 @@ fn one_that_diverges_does_not_disturb_the_others() {
 fn nothing_at_all_is_no_mistake() {
     let Some(gpu) = gpu() else { return };
     let model = sheet("miura");
-    assert!(gpu.with(Relax::default()).fold_all(&[], &|_, _| {}).is_empty());
+    assert!(gpu.with(Relax::default()).fold_all(&[], &|_, _| ControlFlow::Continue(())).is_empty());
     for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
         let none = gpu.with(Dynamics { steps: Some(0), integrator: Integrator::Verlet, ..Dynamics::default() });
         let folded = folded(&none.dispatch(dispatch), &model, 50.0);

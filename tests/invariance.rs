@@ -3,6 +3,8 @@
 
 mod common;
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::generate::{catalog, miura};
 use origami::glam::{DMat3, DQuat, DVec3};
 use origami::ids::{TriangleId, VertexId};
@@ -20,8 +22,8 @@ fn made(name: &str) -> CreasePattern {
 fn states(pattern: &CreasePattern) -> [Vec<DVec3>; 2] {
     let model = Model::new(pattern, &Material::default()).expect("a generated pattern");
     let start = State::at_rest(&model);
-    let relaxed = Relax { tolerance: 1e-9, ..Relax::default() }.fold(&model, &start, 60.0, &mut |_| {});
-    let moving = Dynamics { steps: Some(200), ..Dynamics::default() }.fold(&model, &start, 60.0, &mut |_| {});
+    let relaxed = Relax { tolerance: 1e-9, ..Relax::default() }.fold(&model, &start, &Scene::percent(60.0), &mut unwatched);
+    let moving = Dynamics { steps: Some(200), ..Dynamics::default() }.fold(&model, &start, &Scene::percent(60.0), &mut unwatched);
     [relaxed, moving].map(|folded| {
         let state = folded.expect("holds").state;
         let node = |v: usize| model.mesh.node_of_vertex[v].expect("no isolated vertices");

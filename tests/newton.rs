@@ -4,6 +4,8 @@
 
 mod common;
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use common::{fold, made, model};
 use origami::generate::{self, catalog};
 use origami::glam::DVec3;
@@ -190,7 +192,7 @@ fn the_same_input_gives_the_same_bits_in_a_session_too() {
     let states = fold_path(&model, &solver, &[30.0, 60.0], &mut |_, _| {}).expect("holds");
     let first = fold(&model, &solver, 30.0);
     assert_eq!(states[0].state, first.state);
-    let second = solver.fold(&model, &first.state, 60.0, &mut |_| {}).expect("holds");
+    let second = solver.fold(&model, &first.state, &Scene::percent(60.0), &mut unwatched).expect("holds");
     assert_eq!((&states[1].state, states[1].steps), (&second.state, second.steps));
 }
 
@@ -206,7 +208,7 @@ fn what_does_not_converge_says_so() {
     let mut nowhere = State::at_rest(&model);
     nowhere.positions[7].x = f64::NAN;
     for solver in [Newton::default(), Newton { relax: None, ..Newton::default() }] {
-        let failed = solver.fold(&model, &nowhere, 60.0, &mut |_| {}).expect_err("not a number");
+        let failed = solver.fold(&model, &nowhere, &Scene::percent(60.0), &mut unwatched).expect_err("not a number");
         assert!(matches!(&failed, Failed::Diverged(diverged) if diverged.vertex.0 == 7), "{failed}");
     }
 }

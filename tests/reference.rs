@@ -3,6 +3,8 @@
 
 mod common;
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use std::path::{Path, PathBuf};
 
 use origami::fold::Document;
@@ -26,7 +28,7 @@ fn differences(folder: &Path, result: &Value, percent: f64) -> [f64; 2] {
     let pattern = CreasePattern::from_frame(&frame).expect("a crease pattern");
     let model = Model::new(&pattern, &Material::default()).expect("a sheet");
     let solver = Dynamics { steps: result["steps"].as_u64(), ..Dynamics::default() };
-    let folded = solver.fold(&model, &State::at_rest(&model), percent, &mut |_| {}).expect("holds");
+    let folded = solver.fold(&model, &State::at_rest(&model), &Scene::percent(percent), &mut unwatched).expect("holds");
     assert!((folded.time_step / result["dt"].as_f64().expect("a step") - 1.0).abs() < 1e-6);
 
     let positions = result["positions"].as_array().expect("positions");

@@ -3,6 +3,8 @@
 
 mod common;
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::generate::{Fan, miura};
 use origami::glam::DVec3;
 use origami::solve::{Diverged, Failed, Integrator, Quantity, TimeStep};
@@ -36,14 +38,14 @@ fn dangerous() -> Vec<(&'static str, Model)> {
 
 fn run(model: &Model, time_step: TimeStep, integrator: Integrator, steps: u64) -> Result<Folded, Failed> {
     let solver = Dynamics { time_step, integrator, steps: Some(steps), ..Dynamics::default() };
-    solver.fold(model, &State::at_rest(model), 60.0, &mut |_| {})
+    solver.fold(model, &State::at_rest(model), &Scene::percent(60.0), &mut unwatched)
 }
 
 /// Whether a run came to rest. Where it did not, it blew up, or, on thin triangles, whose apexes swing through each other,
 /// shakes without end.
 fn rests(model: &Model, time_step: TimeStep) -> bool {
     let solver = Dynamics { time_step, max_steps: 20_000, ..Dynamics::default() };
-    solver.fold(model, &State::at_rest(model), 60.0, &mut |_| {}).is_ok_and(|folded| folded.converged())
+    solver.fold(model, &State::at_rest(model), &Scene::percent(60.0), &mut unwatched).is_ok_and(|folded| folded.converged())
 }
 
 fn is_sane(state: &State) -> bool {
@@ -101,7 +103,7 @@ fn a_state_that_is_not_finite_is_divergence() {
     start.positions[5].y = f64::NAN;
     let solvers: [&dyn Solver; 2] = [&Dynamics::default(), &Relax::default()];
     for solver in solvers {
-        let error = solver.fold(&model, &start, 60.0, &mut |_| {}).expect_err("NaN");
+        let error = solver.fold(&model, &start, &Scene::percent(60.0), &mut unwatched).expect_err("NaN");
         let error = diverged(error);
         assert_eq!(error.step, 1);
         assert!(!error.value.is_finite());

@@ -2,6 +2,8 @@
 
 mod common;
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::glam::DVec3;
 use origami::solve::{Integrator, Stop, TimeStep};
 use origami::{Dynamics, Folded, Material, Model, Solver, State};
@@ -15,7 +17,7 @@ fn crease(fold_angle: f64, material: &Material) -> Model {
 fn run(model: &Model, integrator: Integrator, time: f64, steps: u64) -> Folded {
     let time_step = TimeStep::Fixed(time / steps as f64);
     let solver = Dynamics { time_step, integrator, steps: Some(steps), ..Dynamics::default() };
-    solver.fold(model, &State::at_rest(model), 100.0, &mut |_| {}).expect("a short step")
+    solver.fold(model, &State::at_rest(model), &Scene::percent(100.0), &mut unwatched).expect("a short step")
 }
 
 /// Angular frequency of small vibrations about the target: `omega^2 = 4 k_fold l / (h^2 m)`, in the model's units.
@@ -71,7 +73,7 @@ fn a_vibration_neither_gains_nor_loses_energy_over_many_periods() {
 fn the_driven_crease_comes_to_rest_at_its_target_without_strain() {
     let model = crease(2.0, &Material::default());
     let solver = Dynamics { tolerance: 1e-6, ..Dynamics::default() };
-    let folded = solver.fold(&model, &State::at_rest(&model), 100.0, &mut |_| {}).expect("a proper triangle pair");
+    let folded = solver.fold(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched).expect("a proper triangle pair");
     assert_eq!(folded.stop, Stop::Converged);
     assert!((folded.state.fold_angles[0] - 2.0).abs() < 1e-5);
     assert!(folded.state.energy(&model).total() < 1e-11);
@@ -83,7 +85,7 @@ fn exactly_the_steps_asked_for_are_run() {
     let mut dt = 0.0;
     for steps in [0, 1, 7, 300] {
         let solver = Dynamics { steps: Some(steps), ..Dynamics::default() };
-        let folded = solver.fold(&model, &State::at_rest(&model), 100.0, &mut |_| {}).expect("holds");
+        let folded = solver.fold(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched).expect("holds");
         assert_eq!((folded.steps, folded.stop), (steps, Stop::StepsDone));
         dt = folded.time_step;
     }
@@ -107,7 +109,7 @@ fn fixed_vertices_stay_where_they_are() {
         &Dynamics { integrator: Integrator::Verlet, ..Dynamics::default() },
     ];
     for solver in solvers {
-        let folded = solver.fold(&model, &State::at_rest(&model), 100.0, &mut |_| {}).expect("holds");
+        let folded = solver.fold(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched).expect("holds");
         assert!(folded.converged());
         for fixed in 1..4 {
             assert_eq!(folded.state.positions[fixed], model.rest[fixed]);

@@ -4,6 +4,8 @@
 #[cfg(feature = "gpu")]
 pub(crate) mod gpu;
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::generate::catalog;
 use origami::glam::DVec3;
 use origami::ids::VertexId;
@@ -44,7 +46,7 @@ pub(crate) fn made(name: &str) -> Model {
 
 /// From rest.
 pub(crate) fn fold(model: &Model, solver: &dyn Solver, percent: f64) -> Folded {
-    solver.fold(model, &State::at_rest(model), percent, &mut |_| {}).expect("holds")
+    solver.fold(model, &State::at_rest(model), &Scene::percent(percent), &mut unwatched).expect("holds")
 }
 
 /// An edge with a letter and an angle in radians.

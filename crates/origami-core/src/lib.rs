@@ -17,6 +17,8 @@ pub mod model;
 pub mod pattern;
 pub mod scene;
 pub mod solve;
+#[doc(hidden)]
+pub mod twins;
 
 pub use error::{Error, Warning};
 /// The vector crate whose types stand in this one's interface.

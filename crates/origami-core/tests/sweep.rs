@@ -1,6 +1,9 @@
 //! Many sheets of one pattern: which there are, and that each is folded as if it were alone.
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
+use std::ops::ControlFlow;
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use origami_core::generate::{BirdBase, SingleCrease, miura};
 use origami_core::model::MaterialGrid;
 use origami_core::solve::{Dynamics, Failed, Point, Sweep, TimeStep};
@@ -24,7 +27,7 @@ fn sweep() -> Sweep {
 fn fold(pattern: &CreasePattern, sweep: &Sweep, solver: &dyn Solver, threads: usize) -> Vec<Result<Folded, Failed>> {
     let models = Model::of_each(pattern, &sweep.materials).unwrap();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-    pool.install(|| solver.fold_all(&sweep.instances(&models), &|_, _| {}))
+    pool.install(|| solver.fold_all(&sweep.instances(&models), &|_, _| ControlFlow::Continue(())))
 }
 
 /// All that can differ, to the bit (`==` takes 0 and -0 for one).
@@ -54,7 +57,7 @@ fn points_come_in_the_documented_order() {
     let model = Model::new(&miura(2, 2).unwrap(), &Material::default()).unwrap();
     let models = vec![model; 4];
     let instances = sweep.instances(&models);
-    assert!(instances.iter().zip(&points).all(|(i, p)| i.percent == p.percent));
+    assert!(instances.iter().zip(&points).all(|(i, p)| i.scene.targets.label() == Some(p.percent)));
     assert!(instances.iter().zip(&points).all(|(i, p)| std::ptr::eq(i.model, &raw const models[p.material])));
 }
 
@@ -89,7 +92,7 @@ fn all_at_once_is_one_by_one_to_the_bit_on_any_number_of_threads() {
             .map(|point| {
                 let model = Model::new(&pattern, &sweep.materials[point.material]).unwrap();
                 let start = point.instance(&model).start;
-                bits(&solver.fold(&model, &start, point.percent, &mut |_| {}).unwrap())
+                bits(&solver.fold(&model, &start, &Scene::percent(point.percent), &mut unwatched).unwrap())
             })
             .collect();
         for threads in [1, 2, 5] {

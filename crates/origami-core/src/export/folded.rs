@@ -30,7 +30,7 @@ impl Stage {
     #[must_use]
     pub fn of(model: &Model, pattern: &CreasePattern, folded: &Folded) -> Self {
         Self {
-            percent: folded.percent,
+            percent: folded.percent().unwrap_or(f64::NAN),
             positions: model.file_positions(pattern, &folded.state.positions),
             fold_angles: edge_fold_angles(model, pattern, &folded.state),
         }

@@ -14,18 +14,21 @@ pub mod hessian;
 pub use angle::unwrapped;
 pub use energy::Energy;
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use crate::ids::NodeId;
 use crate::model::Model;
-use crate::scene::{Axes, Held, Reaction, Scene};
+use crate::scene::{Axes, Force, Held, Load, Reaction, Scene};
 
 /// Computes the forces on a sheet: those of its springs, and those of its scene. Keeps the memory that this needs from one
 /// evaluation to the next.
 #[derive(Clone, Debug)]
 pub struct Forces<'m> {
     model: &'m Model,
-    scene: Option<&'m Scene>,
+    loads: Vec<Load>,
+    own: Vec<Arc<dyn Force>>,
     held: Held,
     anchors: Vec<angle::Anchor>,
     values: Vec<DVec3>,
@@ -38,27 +41,23 @@ impl<'m> Forces<'m> {
     /// The springs of `model`; the vertices that its pattern fixes are held.
     #[must_use]
     pub fn new(model: &'m Model) -> Self {
-        Self::with(model, None, Held::new(model, &Scene::default()))
+        Self::in_scene(model, &Scene::default())
     }
 
     /// The springs of `model`, loads, forces of one's own and supports of `scene`.
     #[must_use]
-    pub fn in_scene(model: &'m Model, scene: &'m Scene) -> Self {
-        Self::with(model, Some(scene), Held::new(model, scene))
+    pub fn in_scene(model: &'m Model, scene: &Scene) -> Self {
+        Self::holding(model, scene, Held::new(model, scene))
     }
 
     /// The same with other nodes held than those that the scene supports.
     #[must_use]
-    pub fn holding(model: &'m Model, scene: &'m Scene, held: Held) -> Self {
-        Self::with(model, Some(scene), held)
-    }
-
-    fn with(model: &'m Model, scene: Option<&'m Scene>, held: Held) -> Self {
-        let scene = scene.filter(|scene| !scene.has_springs_only());
-        let own = scene.is_some_and(|scene| !scene.forces.is_empty());
+    pub fn holding(model: &'m Model, scene: &Scene, held: Held) -> Self {
+        let own = !scene.forces.is_empty();
         Self {
             model,
-            scene,
+            loads: scene.loads.clone(),
+            own: scene.forces.clone(),
             held,
             anchors: vec![angle::Anchor::default(); model.creases.len()],
             values: vec![DVec3::ZERO; model.node_count()],
@@ -77,10 +76,8 @@ impl<'m> Forces<'m> {
         beams::add_forces(self.model, positions, &mut self.values);
         creases::add_forces(self.model, positions, targets, fold_angles, &mut self.anchors, &mut self.values);
         corner_angles::add_forces(self.model, positions, &mut self.values);
-        if let Some(scene) = self.scene {
-            scene.loads.iter().for_each(|load| self.values[load.node.index()] += load.force);
-            scene.forces.iter().for_each(|own| own.add_forces(positions, &self.no_velocities, &mut self.values));
-        }
+        self.loads.iter().for_each(|load| self.values[load.node.index()] += load.force);
+        self.own.iter().for_each(|own| own.add_forces(positions, &self.no_velocities, &mut self.values));
         let reaction = |(node, axes): (NodeId, Axes)| Reaction { node, force: -axes.of(self.values[node.index()]) };
         self.reactions.clear();
         self.reactions.extend(self.held.iter().map(reaction));

@@ -71,6 +71,17 @@ pub enum Refusal {
         /// What can be done.
         instead: &'static str,
     },
+    /// A pin that was taken out.
+    #[error("pin of node {}: it was taken out; expected one that still holds", .0.0)]
+    NotPinned(NodeId),
+    /// What was saved is of another sheet.
+    #[error("saved simulation: it is of another sheet; expected one of {nodes} nodes and {creases} creases")]
+    Saved {
+        /// The nodes of the model.
+        nodes: usize,
+        /// Its creases.
+        creases: usize,
+    },
     /// What computes cannot do that.
     #[error("{what}: {backend} cannot compute them; expected {expected}")]
     Unsupported {

@@ -93,6 +93,15 @@ impl Scene {
         self.loads.is_empty() && self.forces.is_empty()
     }
 
+    /// Whether the same supports, loads and forces act as in `other`, whatever the targets are.
+    #[must_use]
+    pub fn acts_as(&self, other: &Self) -> bool {
+        self.supports == other.supports
+            && self.loads == other.loads
+            && self.forces.len() == other.forces.len()
+            && self.forces.iter().zip(&other.forces).all(|(a, b)| Arc::ptr_eq(a, b))
+    }
+
     /// What the model holds, and what the scene adds to it.
     #[must_use]
     pub fn inventory(&self, model: &Model) -> Inventory {

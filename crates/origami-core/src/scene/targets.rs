@@ -7,9 +7,11 @@ use crate::model::Model;
 
 /// The fold angle asked of each crease. A percentage of the pattern's angles is one way to say it.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Targets(Asked);
 
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 enum Asked {
     /// The angles of the sheet as the file gives it.
     #[default]

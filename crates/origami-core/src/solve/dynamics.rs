@@ -1,25 +1,21 @@
 //! The paper's motion (2.5): damped springs on nodes of mass 1, integrated explicitly.
 
-use glam::DVec3;
+use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
 
-use super::motion::Motion;
+use super::clock::Clock;
 use super::ramp::Ramp;
-use super::threads::share;
-use super::time_step::Safe;
-use super::{
-    DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, REPORT, Solver, State, Stop, TimeStep,
-    time_step,
-};
-use crate::forces::damping;
+use super::stepper::{Limit, Mover, Stepper};
+use super::threads::{count, share};
+use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, Solver, State, TimeStep};
 use crate::kernel::Compute;
 use crate::model::{Inventory, Model};
-
-/// Steps between two renewals of [`TimeStep::Safe`]. At 20 a jump of creases 10 000 times stiffer than by default leaves the
-/// step behind (`origami study stability`).
-pub const RENEWAL: u64 = 10;
+use crate::scene::{Needs, Refusal, Scene};
 
 /// How [`Dynamics`] steps through time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Integrator {
     /// `v += dt a(x, v)`, then `x += dt v`: what the paper calls explicit Euler is the semi-implicit one. First order.
     Euler,
@@ -30,6 +26,7 @@ pub enum Integrator {
 /// The paper's scheme, for fidelity and transients. It converges slowly: its damping hardly touches slow global motion.
 /// For the folded state take [`super::Relax`].
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Dynamics {
     /// Length of a step. Default: the paper's.
     pub time_step: TimeStep,
@@ -46,6 +43,9 @@ pub struct Dynamics {
     /// The numbers in which the processor computes: [`Precision::Mixed`] for speed, where seven digits will do. GPUs have
     /// numbers of their own. Default f64.
     pub precision: Precision,
+    /// Threads that share the steps of a large sheet; more than the pool has gain nothing. Default: as many as the pool
+    /// has, and one on a thread of a pool; of small sheets one.
+    pub threads: Option<NonZeroUsize>,
 }
 
 impl Default for Dynamics {
@@ -58,6 +58,7 @@ impl Default for Dynamics {
             max_steps: DEFAULT_MAX_STEPS,
             steps: None,
             precision: Precision::F64,
+            threads: None,
         }
     }
 }
@@ -67,12 +68,14 @@ impl Solver for Dynamics {
         &self,
         model: &Model,
         start: &State,
-        percent: f64,
-        observe: &mut dyn FnMut(Progress),
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
-        share(model, observe, |threads, observe| match self.precision {
-            Precision::F64 => self.run::<f64>(model, start, percent, threads, observe),
-            Precision::Mixed => self.run::<f32>(model, start, percent, threads, observe),
+        self.check(model, scene).map_err(|refusal| Failed::refused(refusal, start))?;
+        let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
+        share(count(model, self.threads), observe, |threads, observe| match self.precision {
+            Precision::F64 => self.run::<f64>(model, start, (scene, targets), threads, observe),
+            Precision::Mixed => self.run::<f32>(model, start, (scene, targets), threads, observe),
         })
     }
 
@@ -88,106 +91,41 @@ impl Solver for Dynamics {
 }
 
 impl Dynamics {
+    /// Whether this can run the scene.
+    pub(super) fn check(&self, model: &Model, scene: &Scene) -> Result<(), Refusal> {
+        scene.check(model)?;
+        if self.time_step == TimeStep::Safe {
+            scene.check_forces(model, &[Needs::RowSums], "the safe time step", "a fixed time step needs none")?;
+        }
+        if self.steps.is_none() { scene.check_balance(model) } else { Ok(()) }
+    }
+
+    /// A sheet that moves as this says, from `start`.
+    pub(super) fn stepper<R: Compute>(
+        &self,
+        model: &Model,
+        start: &State,
+        (scene, targets): (&Scene, Vec<f64>),
+        threads: usize,
+    ) -> Stepper<R> {
+        let ramp = Ramp::new(&start.targets, targets, self.ramp);
+        let moving = (start.positions.clone(), &start.velocities[..]);
+        let damped = model.material.zeta > 0.0;
+        let mover = Mover::Dynamics { clock: Clock::new(self, model), integrator: self.integrator, damped };
+        Stepper::new((model, start), scene, moving, (mover, ramp), self.tolerance, threads)
+    }
+
     fn run<R: Compute>(
         &self,
         model: &Model,
         start: &State,
-        percent: f64,
+        (scene, targets): (&Scene, Vec<f64>),
         threads: usize,
-        observe: &mut dyn FnMut(Progress),
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
-        let mut ramp = Ramp::new(&start.targets, model.targets(percent), self.ramp);
-        let moving = (start.positions.clone(), &start.velocities[..]);
-        let damped = model.material.zeta > 0.0;
-        let mut motion = Motion::<R>::new(model, start, moving, damped, self.tolerance, threads);
-        let mut clock = Clock::new(self, model);
-        motion.kernel.aim(&ramp.targets);
-
-        let limit = self.steps.unwrap_or(self.max_steps);
-        let mut steps = 0;
-        let stop = loop {
-            if steps >= limit {
-                break if self.steps.is_some() { Stop::StepsDone } else { Stop::StepLimit };
-            }
-            if !ramp.done() {
-                ramp.advance();
-                motion.kernel.aim(&ramp.targets);
-            }
-            let dt = clock.step(&mut motion, steps);
-            motion.kernel.edges();
-            // Damping has no part in what tells how far it is to the equilibrium.
-            let looks = ramp.done() && motion.settling.looks();
-            if looks {
-                motion.kernel.faces(false);
-            }
-            if ramp.done() && motion.settled() && self.steps.is_none() {
-                break Stop::Converged;
-            }
-            if damped || !looks {
-                motion.kernel.faces(damped);
-            }
-            steps += 1;
-            let holds = match self.integrator {
-                Integrator::Euler => motion.kernel.euler(dt),
-                Integrator::Verlet => motion.kernel.verlet(dt, clock.previous),
-            };
-            clock.previous = dt;
-            let ahead = if self.integrator == Integrator::Verlet { 0.5 * dt } else { 0.0 };
-            motion.check(holds, steps, dt, ahead)?;
-            if steps.is_multiple_of(REPORT) {
-                observe(Progress { step: steps, ramp: ramp.share(), distance: motion.settling.distance() });
-            }
-        };
-
-        let arrives = self.integrator == Integrator::Verlet && steps > 0;
-        if arrives {
-            motion.read_accelerations();
-        }
-        let end = (percent, stop, steps, clock.dt);
-        Ok(motion.into_folded(ramp.into_asked(), end, |state, before, forces| {
-            if arrives {
-                arrive(model, state, before, forces, clock.previous);
-            }
-        }))
-    }
-}
-
-/// Ends the last step of [`Integrator::Verlet`], whose velocity is extrapolated to its end by the accelerations `before`.
-/// `forces` are those of the springs alone.
-fn arrive(model: &Model, state: &mut State, before: &[DVec3], forces: &mut [DVec3], time_step: f64) {
-    damping::add(model, &state.velocities, forces);
-    for ((v, force), before) in state.velocities.iter_mut().zip(forces).zip(before) {
-        *v += (*force - *before) * (0.5 * time_step);
-    }
-}
-
-/// The step, and its renewal.
-struct Clock {
-    /// Of [`TimeStep::Safe`].
-    safe: Option<Safe>,
-    dt: f64,
-    /// The step before; 0 at first.
-    previous: f64,
-}
-
-impl Clock {
-    fn new(solver: &Dynamics, model: &Model) -> Self {
-        let safe = (solver.time_step == TimeStep::Safe).then(|| Safe::new(model, solver.integrator));
-        let dt = match solver.time_step {
-            TimeStep::Paper | TimeStep::Safe => time_step::paper(model),
-            TimeStep::Fixed(dt) => dt,
-        };
-        Self { safe, dt, previous: 0.0 }
-    }
-
-    fn step<R: Compute>(&mut self, motion: &mut Motion<'_, R>, steps: u64) -> f64 {
-        if let Some(safe) = &mut self.safe
-            && steps.is_multiple_of(RENEWAL)
-        {
-            motion.read_nodes();
-            let safe = safe.step(motion.kernel.shared(), motion.model, &motion.state.positions);
-            self.dt = time_step::renewed(safe, &motion.state.velocities, (steps > 0).then_some(self.dt));
-        }
-        self.dt
+        let mut stepper = self.stepper::<R>(model, start, (scene, targets), threads);
+        let limit = Limit { steps: self.steps.unwrap_or(self.max_steps), all: self.steps.is_some() };
+        let stop = stepper.run((model, start), limit, observe)?;
+        Ok(stepper.into_folded(model, scene, scene.targets.clone(), stop))
     }
 }

@@ -1,9 +1,12 @@
 //! Many sheets of one pattern: other percentages, materials, starts.
 
+use std::ops::ControlFlow;
+
 use rayon::prelude::*;
 
 use super::{Failed, Folded, Progress, Solver, State};
 use crate::model::Model;
+use crate::scene::Scene;
 
 /// One sheet of an ensemble.
 #[derive(Clone, Debug)]
@@ -12,18 +15,18 @@ pub struct Instance<'m> {
     pub model: &'m Model,
     /// Where it begins: at rest, perturbed or on the way.
     pub start: State,
-    /// Percentage of the pattern's fold angles.
-    pub percent: f64,
+    /// What is asked of it and done to it.
+    pub scene: Scene,
 }
 
 /// One instance a thread, as many at once as rayon's current pool has threads.
 pub(super) fn over_threads<S: Solver + ?Sized>(
     solver: &S,
     instances: &[Instance<'_>],
-    observe: &(dyn Fn(usize, Progress) + Sync),
+    observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
 ) -> Vec<Result<Folded, Failed>> {
     let fold = |(i, instance): (usize, &Instance<'_>)| {
-        solver.fold(instance.model, &instance.start, instance.percent, &mut |progress| observe(i, progress))
+        solver.fold(instance.model, &instance.start, &instance.scene, &mut |progress| observe(i, progress))
     };
     // One at a time: some take a hundred times as long as others.
     instances.par_iter().enumerate().with_max_len(1).map(fold).collect()

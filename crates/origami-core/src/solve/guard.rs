@@ -8,24 +8,16 @@ use super::State;
 use crate::error::Short;
 use crate::ids::{NodeId, VertexId};
 use crate::model::Model;
-
-/// Positions beyond this many radii make no sense: a sheet of radius 1 cannot reach a tenth of it.
-pub const FARTHEST: f64 = 100.0;
-/// Nor do moves of more than this many radii in one step.
-pub const LONGEST_MOVE: f64 = 1.0;
-/// Steps between two copies of the state.
-pub const COPY_EVERY: u64 = 100;
-/// A state is good to go back to while its nodes lie within this many radii.
-pub const GOOD_POSITION: f64 = 5.0;
-/// And while none of them moves by more than this many radii in one step.
-pub const GOOD_MOVE: f64 = 0.1;
+use crate::twins::checkpoint::{COPY_EVERY, is_good};
+use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE, in_bounds};
 
 /// What grew beyond sense.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Quantity {
     /// The distance of a node from the centre, in radii.
     Position,
-    /// The way of a node in one step, in radii.
+    /// How far a node moved in one step, in radii.
     Move,
 }
 
@@ -44,6 +36,7 @@ impl fmt::Display for Quantity {
     "diverged at step {step}: vertex {} has a {quantity} of {} radii (expected at most {})",
     vertex.0, Short(*value), quantity.limit()
 )]
+#[non_exhaustive]
 pub struct Diverged {
     /// The first vertex, by number, that is out of bounds.
     pub vertex: VertexId,
@@ -69,39 +62,29 @@ impl Quantity {
 }
 
 /// Watches a state from step to step.
-#[derive(Debug)]
-pub(super) struct Guard<'m> {
-    model: &'m Model,
-    start: &'m State,
+#[derive(Clone, Debug, Default)]
+pub(super) struct Guard {
     /// The last good state; none before the first one is copied: until then that is the start. Without targets.
     copy: Option<State>,
     copied_at: u64,
 }
 
-impl<'m> Guard<'m> {
-    pub(super) fn new(model: &'m Model, start: &'m State) -> Self {
-        Self { model, start, copy: None, copied_at: 0 }
-    }
-
-    /// Whether one node is where it can be, and came there in a step that it can take. NaN is not.
-    fn holds(position: DVec3, moved: DVec3) -> bool {
-        Self::within(position, moved, FARTHEST, LONGEST_MOVE)
-    }
-
-    fn within(position: DVec3, moved: DVec3, farthest: f64, longest: f64) -> bool {
-        position.length_squared() <= farthest * farthest && moved.length_squared() <= longest * longest
-    }
-
+impl Guard {
     /// After step `step`, which moved every node by `time_step` times its velocity: an error where one is out of bounds;
-    /// at every [`COPY_EVERY`]th a copy of a good state, whose targets are those of the start.
-    pub(super) fn check(&mut self, step: u64, state: &State, time_step: f64) -> Result<(), Diverged> {
+    /// at every [`COPY_EVERY`]th a copy of a good state, whose targets are those of `start`, where the run began.
+    pub(super) fn check(
+        &mut self,
+        (model, start): (&Model, &State),
+        step: u64,
+        state: &State,
+        time_step: f64,
+    ) -> Result<(), Diverged> {
         let nodes = || state.positions.iter().zip(&state.velocities).map(|(p, v)| (*p, *v * time_step));
-        if let Some((node, (p, moved))) = nodes().enumerate().find(|(_, (p, moved))| !Self::holds(*p, *moved)) {
-            let last_good = Box::new(self.last_good());
-            return Err(Diverged::new(self.model, (NodeId::new(node), p, moved), step, last_good, self.copied_at));
+        if let Some((node, (p, moved))) = nodes().enumerate().find(|(_, (p, moved))| !in_bounds(*p, *moved)) {
+            let last_good = Box::new(self.last_good(start));
+            return Err(Diverged::new(model, (NodeId::new(node), p, moved), step, last_good, self.copied_at));
         }
-        let good = |(p, moved)| Self::within(p, moved, GOOD_POSITION, GOOD_MOVE);
-        if step.is_multiple_of(COPY_EVERY) && nodes().all(good) {
+        if step.is_multiple_of(COPY_EVERY) && nodes().all(|(p, moved)| is_good(p, moved)) {
             self.copy(state);
             self.copied_at = step;
         }
@@ -117,15 +100,14 @@ impl<'m> Guard<'m> {
         copy.fold_angles.clone_from(fold_angles);
     }
 
-    fn last_good(&self) -> State {
-        let copy = self.copy.as_ref().map(|copy| State { targets: self.start.targets.clone(), ..copy.clone() });
-        copy.unwrap_or_else(|| self.start.clone())
+    fn last_good(&self, start: &State) -> State {
+        let copy = self.copy.as_ref().map(|copy| State { targets: start.targets.clone(), ..copy.clone() });
+        copy.unwrap_or_else(|| start.clone())
     }
 }
 
 impl Diverged {
-    /// Of a node that was found out of bounds after step `step`: where it is and the way that it has just made, both in
-    /// radii.
+    /// Of a node that was found out of bounds after step `step`: where it is and how far it has just moved, both in radii.
     #[must_use]
     pub fn new(
         model: &Model,

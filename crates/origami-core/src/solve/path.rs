@@ -1,8 +1,11 @@
 //! States along the way: folding depends on its path, and an animation shows it.
 
-use super::{Failed, Folded, Progress, Solver, State};
+use std::ops::ControlFlow;
+
+use super::{Failed, Folded, Progress, Solver, State, Stop};
 use crate::error::Short;
 use crate::model::Model;
+use crate::scene::Scene;
 
 /// Percentages of `frames` + 1 states from 0 to `percent`, both included, evenly spaced.
 #[must_use]
@@ -24,7 +27,8 @@ pub struct PathFailed {
 }
 
 /// Folds to each percentage in turn, every one from the state before it, the first from the sheet at rest. `observe` is
-/// told the place of the stage in `percents` and how far its solver has come.
+/// told the index of the stage in `percents` and how far its solver has come; where it breaks, the path ends with the state
+/// at hand.
 ///
 /// # Errors
 /// [`PathFailed`] from the first that does not hold, with the states before it.
@@ -32,15 +36,21 @@ pub fn fold_path(
     model: &Model,
     solver: &dyn Solver,
     percents: &[f64],
-    observe: &mut dyn FnMut(usize, Progress),
+    observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Result<Vec<Folded>, PathFailed> {
     let mut states: Vec<Folded> = Vec::with_capacity(percents.len());
     let mut session = solver.session(model);
     let rest = State::at_rest(model);
     for (stage, &percent) in percents.iter().enumerate() {
         let start = states.last().map_or(&rest, |folded| &folded.state);
-        match session.fold(start, percent, &mut |progress| observe(stage, progress)) {
-            Ok(folded) => states.push(folded),
+        match session.fold(start, &Scene::percent(percent), &mut |progress| observe(stage, progress)) {
+            Ok(folded) => {
+                let cancelled = folded.stop == Stop::Cancelled;
+                states.push(folded);
+                if cancelled {
+                    break;
+                }
+            }
             Err(failed) => return Err(PathFailed { states, percent, failed }),
         }
     }
@@ -64,12 +74,12 @@ mod tests {
             &self,
             model: &Model,
             start: &State,
-            percent: f64,
-            observe: &mut dyn FnMut(Progress),
+            scene: &Scene,
+            observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
         ) -> Result<Folded, Failed> {
-            let time_step = if percent > self.beyond { TimeStep::Fixed(10.0) } else { TimeStep::Safe };
+            let time_step = if scene.targets.label() > Some(self.beyond) { TimeStep::Fixed(10.0) } else { TimeStep::Safe };
             let solver = Dynamics { time_step, steps: Some(200), ..Dynamics::default() };
-            solver.fold(model, start, percent, observe)
+            solver.fold(model, start, scene, observe)
         }
     }
 
@@ -79,9 +89,12 @@ mod tests {
         let model = Model::new(&pattern, &Material::default()).expect("a model");
         let mut stages = Vec::new();
         let percents = frame_percents(90.0, 3);
-        let failed = fold_path(&model, &Breaks { beyond: 45.0 }, &percents, &mut |stage, _| stages.push(stage));
+        let failed = fold_path(&model, &Breaks { beyond: 45.0 }, &percents, &mut |stage, _| {
+            stages.push(stage);
+            ControlFlow::Continue(())
+        });
         let failed = failed.expect_err("a step of 10 does not hold");
-        let reached: Vec<f64> = failed.states.iter().map(|folded| folded.percent).collect();
+        let reached: Vec<f64> = failed.states.iter().filter_map(Folded::percent).collect();
         assert_eq!((reached, failed.percent), (vec![0.0, 30.0], 60.0));
         assert!(failed.to_string().starts_with("at 60 %: diverged at step "), "{failed}");
         let last = &failed.states[1].state;

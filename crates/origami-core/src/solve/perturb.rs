@@ -4,10 +4,11 @@
 use glam::{DMat3, DVec3};
 
 use crate::model::Model;
+use crate::scene::Held;
 
 /// Moves every free node by up to `share` of its shortest beam in each direction. The direction comes from the bits of
 /// its position at rest and from `seed`: the same for every run and every numbering.
-pub(super) fn perturb(model: &Model, positions: &mut [DVec3], share: f64, seed: u64) {
+pub(super) fn perturb(model: &Model, held: &Held, positions: &mut [DVec3], share: f64, seed: u64) {
     let seed = if seed == 0 { 0 } else { mixed(seed) };
     let mut shortest = vec![f64::INFINITY; positions.len()];
     for beam in &model.beams {
@@ -15,10 +16,8 @@ pub(super) fn perturb(model: &Model, positions: &mut [DVec3], share: f64, seed: 
             shortest[n.index()] = shortest[n.index()].min(beam.rest_length);
         }
     }
-    for node in &model.fixed {
-        shortest[node.index()] = 0.0;
-    }
-    for ((p, rest), length) in positions.iter_mut().zip(&model.rest).zip(shortest) {
+    let mut axes = held.iter().peekable();
+    for (n, ((p, rest), length)) in positions.iter_mut().zip(&model.rest).zip(shortest).enumerate() {
         // Adding 0 makes -0 and 0 the same number.
         let mut bits = rest.to_array().iter().fold(seed, |bits, x| mixed(bits ^ (x + 0.0).to_bits()));
         let mut random = || {
@@ -26,9 +25,13 @@ pub(super) fn perturb(model: &Model, positions: &mut [DVec3], share: f64, seed: 
             // The upper 53 bits as a number from -1 to 1.
             (bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
         };
-        *p += DVec3::new(random(), random(), random()) * (share * length);
+        let moved = DVec3::new(random(), random(), random()) * (share * length);
+        *p += match axes.next_if(|(node, _)| node.index() == n) {
+            Some((_, axes)) => axes.without(moved),
+            None => moved,
+        };
     }
-    if model.fixed.is_empty() {
+    if held.is_empty() {
         take_back_rigid_motion(&model.rest, positions);
     }
 }
@@ -73,7 +76,7 @@ mod tests {
         let longest = model.beams.iter().map(|b| b.rest_length).fold(0.0, f64::max);
         for seed in [0, 1, 2, u64::MAX] {
             let mut positions = model.rest.clone();
-            perturb(&model, &mut positions, 1e-4, seed);
+            perturb(&model, &Held::default(), &mut positions, 1e-4, seed);
             let moves: Vec<DVec3> = positions.iter().zip(&model.rest).map(|(p, rest)| *p - *rest).collect();
             assert!(moves.iter().all(|m| m.abs().max_element() <= 1.1e-4 * longest));
             let mean = moves.iter().sum::<DVec3>() / moves.len() as f64;
@@ -93,7 +96,7 @@ mod tests {
         let model = Model::new(&miura(4, 4).expect("valid"), &Material::default()).expect("valid");
         let moved = |seed| {
             let mut positions = model.rest.clone();
-            perturb(&model, &mut positions, 1e-4, seed);
+            perturb(&model, &Held::default(), &mut positions, 1e-4, seed);
             let moves: Vec<DVec3> = positions.iter().zip(&model.rest).map(|(p, rest)| *p - *rest).collect();
             moves
         };
@@ -114,7 +117,7 @@ mod tests {
         let pattern = SingleCrease::default().pattern().expect("valid");
         let model = Model::new(&pattern, &Material::default()).expect("valid");
         let mut positions = model.rest.clone();
-        perturb(&model, &mut positions, 1e-3, 0);
+        perturb(&model, &Held::default(), &mut positions, 1e-3, 0);
         let before_there_were_seeds = [
             DVec3::new(-0.999877379970668, 0.00027111484849012444, -0.0007352162440220212),
             DVec3::new(0.9991759300965388, 6.408306624498659e-5, -0.0007352162440220212),

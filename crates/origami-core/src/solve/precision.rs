@@ -2,6 +2,8 @@
 
 /// The numbers in which the processor computes the steps of [`super::Relax`] and [`super::Dynamics`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Precision {
     /// f64 throughout.
     #[default]

@@ -3,24 +3,31 @@
 
 /// Target angles on their way from where they were to where they shall be.
 #[derive(Clone, Debug)]
-pub(super) struct Ramp<'a> {
-    from: &'a [f64],
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Ramp {
+    from: Vec<f64>,
     to: Vec<f64>,
     /// Evaluations that the whole way takes.
     length: u32,
     share: f64,
-    /// The targets now, by crease.
-    pub(super) targets: Vec<f64>,
 }
 
-impl<'a> Ramp<'a> {
+impl Ramp {
     /// From the targets `from` to the targets `to`; `length` 0 is a jump.
-    pub(super) fn new(from: &'a [f64], to: Vec<f64>, length: u32) -> Self {
-        let mut ramp = Self { targets: from.to_vec(), from, to, length, share: 0.0 };
+    pub(super) fn new(from: &[f64], to: Vec<f64>, length: u32) -> Self {
+        let mut ramp = Self { from: from.to_vec(), to, length, share: 0.0 };
         if length == 0 || ramp.to == ramp.from {
             ramp.finish();
         }
         ramp
+    }
+
+    /// The targets now, by crease.
+    pub(super) fn targets(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
+        let (done, share) = (self.done(), self.share);
+        let from = if done { &self.to } else { &self.from };
+        let between = move |(from, to): (&f64, &f64)| if done { *to } else { from + share * (to - from) };
+        from.iter().zip(&self.to).map(between)
     }
 
     /// The share of the way that has been covered, 0 to 1.
@@ -41,21 +48,23 @@ impl<'a> Ramp<'a> {
         // The last of many equal parts: rounding must not add another.
         if self.share > 1.0 - 0.5 / f64::from(self.length) {
             self.finish();
-            return;
-        }
-        for ((target, from), to) in self.targets.iter_mut().zip(self.from).zip(&self.to) {
-            *target = from + self.share * (to - from);
         }
     }
 
     /// The targets at its end, whether it got there or not: what the state is to be measured against.
+    pub(super) fn asked(&self) -> &[f64] {
+        &self.to
+    }
+
+    /// The same, without the ramp.
     pub(super) fn into_asked(self) -> Vec<f64> {
         self.to
     }
 
     fn finish(&mut self) {
         self.share = 1.0;
-        self.targets.copy_from_slice(&self.to);
+        // A jump has no way behind it.
+        self.from = Vec::new();
     }
 }
 
@@ -68,13 +77,14 @@ mod tests {
         for length in [1, 2, 3, 7, 1000, 3333] {
             let from = [0.1, -3.0];
             let mut ramp = Ramp::new(&from, vec![2.3, 0.7], length);
+            assert_eq!(ramp.targets().collect::<Vec<_>>(), from);
             let mut steps = 0;
             while !ramp.done() {
                 ramp.advance();
                 steps += 1;
             }
             assert_eq!(steps, length);
-            assert_eq!(ramp.targets, vec![2.3, 0.7]);
+            assert_eq!(ramp.targets().collect::<Vec<_>>(), vec![2.3, 0.7]);
         }
         assert_eq!(Ramp::new(&[0.0], vec![1.0], 5).into_asked(), [1.0], "before its end too");
         assert!(Ramp::new(&[0.0], vec![1.0], 0).done(), "a jump is over at once");

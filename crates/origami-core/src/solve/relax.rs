@@ -1,18 +1,22 @@
 //! Relaxation: the folded state, without the motion that leads to it.
 
+use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 
-use super::fire::Fire;
-use super::motion::Motion;
+use super::fire::Minimiser;
 use super::perturb::perturb;
 use super::ramp::Ramp;
-use super::threads::share;
-use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, REPORT, Solver, State, Stop};
+use super::stepper::{Limit, Mover, Stepper};
+use super::threads::{count, share};
+use super::{
+    DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, Session, Solver, State, Stop,
+};
 use crate::kernel::Compute;
 use crate::model::{Inventory, Model};
+use crate::scene::{Held, Needs, Refusal, Scene};
 
-/// The ramp stops while a crease turns by more than this in one evaluation, in radians.
-pub const HOLD: f64 = 0.1;
 /// The default ramp up to 300 nodes. Half of all sheets are within 1e-4 radii of the equilibrium 80 evaluations after its
 /// end, so that it is most of the cost; once tangled sheets are folded again, as many end tangled or higher as with 1000.
 const RAMP: f64 = 400.0;
@@ -28,6 +32,7 @@ const SHORTEST_RAMP: u32 = 100;
 /// A state that ends tangled is folded once more over a longer ramp, then in a jump, and the one of lowest energy is
 /// kept. Nothing promises that it is the only equilibrium: folding is path dependent.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Relax {
     /// Distance from the equilibrium at which it stops, in radii of the sheet. Smaller: more evaluations.
     /// Default 1e-4.
@@ -49,6 +54,9 @@ pub struct Relax {
     /// The numbers in which the processor computes: [`Precision::Mixed`] for speed, where a tolerance of 1e-6 or more will
     /// do. GPUs have numbers of their own. Default f64.
     pub precision: Precision,
+    /// Threads that share the steps of a large sheet; more than the pool has gain nothing. Default: as many as the pool
+    /// has, and one on a thread of a pool; of small sheets one.
+    pub threads: Option<NonZeroUsize>,
 }
 
 impl Default for Relax {
@@ -61,6 +69,7 @@ impl Default for Relax {
             retry: true,
             perturbation: 1e-2,
             precision: Precision::F64,
+            threads: None,
         }
     }
 }
@@ -80,21 +89,23 @@ fn grown(length: f64, model: &Model) -> u32 {
     ramp
 }
 
-/// The default ramp from `start`: from a state on the way, its share of the whole, but not so short that it is a jump.
-fn ramp_from(model: &Model, start: &State, percent: f64) -> u32 {
+/// The default ramp between two lists of targets: from those on the way, its share of the whole, but not so short that it is
+/// a jump.
+pub(super) fn ramp_between(model: &Model, from: impl Iterator<Item = f64> + Clone, to: &[f64]) -> u32 {
     let whole = default_ramp(model);
-    if model.creases.iter().zip(&start.targets).all(|(crease, target)| crease.rest_angle == *target) {
+    if model.creases.iter().zip(from.clone()).all(|(crease, target)| crease.rest_angle == target) {
         return whole;
     }
-    let steps = model.creases.iter().zip(&start.targets).map(|(c, target)| (c.full_target * percent / 100.0 - target).abs());
-    let goals = model.creases.iter().map(|c| c.full_target.abs());
-    let share = steps.fold(0.0, f64::max) / goals.fold(0.0, f64::max);
+    let steps = to.iter().zip(from).map(|(to, from)| (to - from).abs());
+    let full_targets = model.creases.iter().map(|c| c.full_target.abs());
+    let share = steps.fold(0.0, f64::max) / full_targets.fold(0.0, f64::max);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a u32, saturating")]
     let part = (share * f64::from(whole)) as u32;
     part.clamp(SHORTEST_RAMP.min(whole), whole)
 }
 
 /// One way to a state.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Attempt {
     /// 1 for the first.
@@ -106,10 +117,12 @@ pub struct Attempt {
 }
 
 /// The state of lower energy of two that are asked for the same, with the steps of both; `other` came of attempt `number`.
+#[doc(hidden)]
 #[must_use]
-pub fn lower(model: &Model, kept: Folded, other: Folded, number: u32) -> Folded {
+pub fn lower(model: &Model, scene: &Scene, kept: Folded, other: Folded, number: u32) -> Folded {
     let steps = kept.steps + other.steps;
-    let other_is_lower = other.state.energy(model).total() < kept.state.energy(model).total();
+    let energy = |folded: &Folded| folded.state.energy_in(model, scene).total();
+    let other_is_lower = energy(&other) < energy(&kept);
     Folded { steps, attempts: number, ..if other_is_lower { other } else { kept } }
 }
 
@@ -118,13 +131,20 @@ impl Solver for Relax {
         &self,
         model: &Model,
         start: &State,
-        percent: f64,
-        observe: &mut dyn FnMut(Progress),
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
-        share(model, observe, |threads, observe| match self.precision {
-            Precision::F64 => self.attempts::<f64>(model, start, percent, threads, observe),
-            Precision::Mixed => self.attempts::<f32>(model, start, percent, threads, observe),
+        self.check(model, scene).map_err(|refusal| Failed::refused(refusal, start))?;
+        let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
+        let run = Run { relax: self, model, start, scene, targets: &targets };
+        share(count(model, self.threads), observe, |threads, observe| match self.precision {
+            Precision::F64 => run.attempts::<f64>(threads, observe),
+            Precision::Mixed => run.attempts::<f32>(threads, observe),
         })
+    }
+
+    fn session<'a>(&'a self, model: &'a Model) -> Box<dyn Session + 'a> {
+        Box::new(Once { relax: self.clone(), model })
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
@@ -134,27 +154,58 @@ impl Solver for Relax {
     }
 }
 
+/// Perturbs the sheet once, not at each fold.
+struct Once<'a> {
+    relax: Relax,
+    model: &'a Model,
+}
+
+impl Session for Once<'_> {
+    fn fold(
+        &mut self,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Folded, Failed> {
+        let folded = self.relax.fold(self.model, start, scene, observe)?;
+        if start.targets != folded.state.targets {
+            self.relax.perturbation = 0.0;
+        }
+        Ok(folded)
+    }
+}
+
 impl Relax {
-    /// From the sheet at rest to `percent` of the pattern's fold angles.
-    ///
-    /// # Errors
-    /// [`Failed::Diverged`] where the state stops being finite or grows beyond any sense.
-    pub fn fold_from_rest(&self, model: &Model, percent: f64) -> Result<Folded, Failed> {
-        self.fold(model, &State::at_rest(model), percent, &mut |_| {})
+    /// Whether this can run the scene.
+    pub(super) fn check(&self, model: &Model, scene: &Scene) -> Result<(), Refusal> {
+        scene.check(model)?;
+        scene.check_balance(model)?;
+        scene.check_forces(model, &[Needs::RowSums], "relax", "`Dynamics` with the paper's or a fixed time step does without")?;
+        if self.retries() {
+            let instead = "without `retry` it does without";
+            scene.check_forces(model, &[Needs::Energy], "relax, which compares attempts,", instead)?;
+        }
+        Ok(())
+    }
+
+    fn retries(&self) -> bool {
+        self.retry && self.steps.is_none()
     }
 
     /// The first of up to three ways to a state.
+    #[doc(hidden)]
     #[must_use]
-    pub fn first_attempt(&self, model: &Model, start: &State, percent: f64) -> Attempt {
-        let ramp = self.ramp.unwrap_or_else(|| ramp_from(model, start, percent));
+    pub fn first_attempt(&self, model: &Model, start: &State, targets: &[f64]) -> Attempt {
+        let ramp = self.ramp.unwrap_or_else(|| ramp_between(model, start.targets.iter().copied(), targets));
         Attempt { number: 1, ramp, limit: self.steps.unwrap_or(self.max_steps) }
     }
 
     /// The way to be tried after `last`, where the best state so far, `kept`, is tangled: a longer ramp, then a jump.
+    #[doc(hidden)]
     #[must_use]
     pub fn next_attempt(&self, model: &Model, start: &State, last: Attempt, kept: &Folded) -> Option<Attempt> {
         let limit = self.steps.unwrap_or(self.max_steps).saturating_sub(kept.steps);
-        let wanted = self.retry && self.steps.is_none() && limit > 0;
+        let wanted = self.retries() && limit > 0 && kept.stop != Stop::Cancelled;
         if !wanted || kept.state.tangled_creases() == 0 || start.tangled_creases() > 0 {
             return None;
         }
@@ -167,41 +218,70 @@ impl Relax {
     }
 
     /// Where an attempt begins: at rest, and off every symmetry where there is something to be folded.
+    #[doc(hidden)]
     #[must_use]
-    pub fn beginning(&self, model: &Model, start: &State, percent: f64) -> State {
+    pub fn beginning(&self, model: &Model, start: &State, scene: &Scene, targets: &[f64]) -> State {
         State {
-            positions: self.first_positions(model, start, percent),
+            positions: self.first_positions(model, start, scene, targets),
             velocities: vec![DVec3::ZERO; model.node_count()],
             fold_angles: start.fold_angles.clone(),
             targets: start.targets.clone(),
         }
     }
 
-    fn first_positions(&self, model: &Model, start: &State, percent: f64) -> Vec<DVec3> {
+    /// Where the nodes of an attempt begin.
+    fn first_positions(&self, model: &Model, start: &State, scene: &Scene, targets: &[f64]) -> Vec<DVec3> {
         let mut positions = start.positions.clone();
-        if self.perturbation > 0.0 && model.targets(percent) != start.targets {
-            perturb(model, &mut positions, self.perturbation, 0);
+        if self.perturbation > 0.0 && (targets != start.targets || !scene.has_springs_only()) {
+            perturb(model, &Held::new(model, scene), &mut positions, self.perturbation, 0);
         }
+        scene.place_supports(&mut positions);
         positions
     }
 
+    /// A sheet that relaxes as this says, from `start` with its nodes at `positions`.
+    pub(super) fn stepper<R: Compute>(
+        &self,
+        (model, start): (&Model, &State),
+        positions: Vec<DVec3>,
+        (scene, targets, ramp): (&Scene, Vec<f64>, u32),
+        threads: usize,
+    ) -> Stepper<R> {
+        let ramp = Ramp::new(&start.targets, targets, ramp);
+        let mover = Mover::Relax(Minimiser::new(model));
+        Stepper::new((model, start), scene, (positions, &[]), (mover, ramp), self.tolerance, threads)
+    }
+}
+
+/// One fold.
+struct Run<'a> {
+    relax: &'a Relax,
+    model: &'a Model,
+    start: &'a State,
+    scene: &'a Scene,
+    targets: &'a [f64],
+}
+
+impl Run<'_> {
     fn attempts<R: Compute>(
         &self,
-        model: &Model,
-        start: &State,
-        percent: f64,
         threads: usize,
-        observe: &mut dyn FnMut(Progress),
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
-        let mut attempt = self.first_attempt(model, start, percent);
-        let mut kept = self.attempt::<R>(model, start, percent, attempt, threads, observe)?;
-        while let Some(next) = self.next_attempt(model, start, attempt, &kept) {
+        let Self { relax, model, start, scene, targets } = *self;
+        let mut attempt = relax.first_attempt(model, start, targets);
+        let mut kept = self.attempt::<R>(attempt, threads, observe)?;
+        while let Some(next) = relax.next_attempt(model, start, attempt, &kept) {
             attempt = next;
             let so_far = kept.steps;
             let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
             // The state at hand is finite: another way that diverges does not take it away.
-            if let Ok(other) = self.attempt::<R>(model, start, percent, attempt, threads, &mut observe) {
-                kept = lower(model, kept, other, attempt.number);
+            if let Ok(other) = self.attempt::<R>(attempt, threads, &mut observe) {
+                let stop = other.stop;
+                kept = lower(model, scene, kept, other, attempt.number);
+                if stop == Stop::Cancelled {
+                    return Ok(Folded { stop, ..kept });
+                }
             }
         }
         Ok(kept)
@@ -209,46 +289,15 @@ impl Relax {
 
     fn attempt<R: Compute>(
         &self,
-        model: &Model,
-        start: &State,
-        percent: f64,
         Attempt { ramp, limit, .. }: Attempt,
         threads: usize,
-        observe: &mut dyn FnMut(Progress),
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
-        let mut ramp = Ramp::new(&start.targets, model.targets(percent), ramp);
-        let resting = (self.first_positions(model, start, percent), &[][..]);
-        let mut motion = Motion::<R>::new(model, start, resting, false, self.tolerance, threads);
-        let mut fire = Fire::new(model);
-        motion.kernel.aim(&ramp.targets);
-        let mut turned = 0.0;
-
-        let mut steps = 0;
-        let stop = loop {
-            if steps >= limit {
-                break if self.steps.is_some() { Stop::StepsDone } else { Stop::StepLimit };
-            }
-            if !ramp.done() && turned <= HOLD {
-                ramp.advance();
-                motion.kernel.aim(&ramp.targets);
-            }
-            turned = motion.kernel.edges();
-            motion.kernel.faces(false);
-            steps += 1;
-            if ramp.done() && motion.settled() && self.steps.is_none() {
-                break Stop::Converged;
-            }
-            let holds = fire.advance(&mut motion);
-            motion.check(holds, steps, fire.step(), 0.0)?;
-            if steps.is_multiple_of(REPORT) {
-                observe(Progress { step: steps, ramp: ramp.share(), distance: motion.settling.distance() });
-            }
-        };
-
-        let (targets, time_step) = (ramp.into_asked(), fire.step());
-        drop(fire);
-        Ok(motion.into_folded(targets, (percent, stop, steps, time_step), |state, _, _| {
-            state.velocities.fill(DVec3::ZERO);
-        }))
+        let Self { relax, model, start, scene, targets } = *self;
+        let positions = relax.first_positions(model, start, scene, targets);
+        let mut stepper = relax.stepper::<R>((model, start), positions, (scene, targets.to_vec(), ramp), threads);
+        let limit = Limit { steps: limit, all: relax.steps.is_some() };
+        let stop = stepper.run((model, start), limit, observe)?;
+        Ok(stepper.into_folded(model, scene, scene.targets.clone(), stop))
     }
 }

@@ -4,6 +4,8 @@
 //! `K_i = sum over e at i of k_e |J_ei| sum_j |J_ej|`; beams give 2k. Valence, thin triangles, creases and corner angles
 //! are all in it, where the paper's rule (2.5) looks at one beam at a time.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -11,6 +13,7 @@ use crate::forces::corner_angles::Triangle;
 use crate::forces::creases::hinge;
 use crate::ids::NodeId;
 use crate::model::{CornerAngles, Crease, Model};
+use crate::scene::Force;
 
 /// Springs whose shares are found before they are added up.
 const BLOCK: usize = 4096;
@@ -20,8 +23,21 @@ pub fn row_sums(model: &Model, positions: &[DVec3], sums: &mut [f64]) {
     shared_row_sums(false, model, positions, sums);
 }
 
-/// The same, `shared` out among the threads of this thread's pool or not: equal bits.
-pub(super) fn shared_row_sums(shared: bool, model: &Model, positions: &[DVec3], sums: &mut [f64]) {
+/// The same with what forces of one's own add. A force that has no bound has been refused.
+pub(super) fn all_row_sums(
+    shared: bool,
+    (model, own): (&Model, &[Arc<dyn Force>]),
+    positions: &[DVec3],
+    sums: &mut [f64],
+) {
+    shared_row_sums(shared, model, positions, sums);
+    own.iter().for_each(|own| {
+        own.add_row_sums(positions, sums);
+    });
+}
+
+/// [`row_sums`], `shared` out among the threads of this thread's pool or not: equal bits.
+fn shared_row_sums(shared: bool, model: &Model, positions: &[DVec3], sums: &mut [f64]) {
     sums.fill(0.0);
     for beam in &model.beams {
         for n in beam.nodes {
@@ -84,18 +100,23 @@ fn add<S: Sync, const N: usize>(
     of: impl Fn(&S) -> Option<[f64; N]> + Sync,
     sums: &mut [f64],
 ) {
+    if !shared {
+        for spring in springs {
+            add_one(nodes(spring), of(spring), sums);
+        }
+        return;
+    }
     let mut found = Vec::with_capacity(BLOCK.min(springs.len()));
     for block in springs.chunks(BLOCK) {
-        if shared {
-            block.par_iter().with_min_len(BLOCK / 4).map(&of).collect_into_vec(&mut found);
-        } else {
-            found.clear();
-            found.extend(block.iter().map(&of));
-        }
+        block.par_iter().with_min_len(BLOCK / 4).map(&of).collect_into_vec(&mut found);
         for (spring, shares) in block.iter().zip(&found) {
-            for (n, share) in nodes(spring).into_iter().zip(shares.iter().flatten()) {
-                sums[n.index()] += share;
-            }
+            add_one(nodes(spring), *shares, sums);
         }
+    }
+}
+
+fn add_one<const N: usize>(nodes: [NodeId; N], shares: Option<[f64; N]>, sums: &mut [f64]) {
+    for (n, share) in nodes.into_iter().zip(shares.iter().flatten()) {
+        sums[n.index()] += share;
     }
 }

@@ -1,7 +1,10 @@
 //! One model, folded again and again: what is built for it stays.
 
+use std::ops::ControlFlow;
+
 use super::{Failed, Folded, Progress, Solver, State};
 use crate::model::Model;
+use crate::scene::Scene;
 
 /// A solver with a model, which keeps what it builds for the model from one fold to the next.
 pub trait Session {
@@ -9,17 +12,27 @@ pub trait Session {
     ///
     /// # Errors
     /// As [`Solver::fold`].
-    fn fold(&mut self, start: &State, percent: f64, observe: &mut dyn FnMut(Progress)) -> Result<Folded, Failed>;
+    fn fold(
+        &mut self,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Folded, Failed>;
 }
 
-/// Of a solver that keeps nothing.
+/// The session of a solver that keeps nothing.
 pub(super) struct Direct<'a, S: ?Sized> {
     pub(super) solver: &'a S,
     pub(super) model: &'a Model,
 }
 
 impl<S: Solver + ?Sized> Session for Direct<'_, S> {
-    fn fold(&mut self, start: &State, percent: f64, observe: &mut dyn FnMut(Progress)) -> Result<Folded, Failed> {
-        self.solver.fold(self.model, start, percent, observe)
+    fn fold(
+        &mut self,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Folded, Failed> {
+        self.solver.fold(self.model, start, scene, observe)
     }
 }

@@ -1,40 +1,23 @@
-//! When to stop: an estimate of the distance from the equilibrium, since forces predict it badly.
+//! When to stop: watches a state over windows of evaluations at constant targets (the rule is
+//! [`crate::twins::settle_decide`]).
 
 use glam::DVec3;
 
 use super::row_sums::soft_sums;
 use crate::model::Model;
+use crate::twins::settle_decide::{Window, Windows, distance};
 
-/// Successive windows that must all look settled: with 3 in place of 5, 14 of 665 claims were wrong in place
-/// of 8, for 3 % fewer evaluations.
-pub const WINDOWS: u32 = 5;
-/// Each must estimate less than this share of the tolerance.
-pub const SHARE: f64 = 0.3;
-/// One that estimates less than this share counts as two.
-pub const SMALL_SHARE: f64 = 0.03;
-/// Evaluations before which no state is said to have settled: slow motion does not show in the first short windows.
-pub const LEAST: u64 = 160;
-/// Evaluations in the shortest window.
-pub const SHORTEST: u64 = 20;
-/// The share of all evaluations in a longer one.
-pub const SHARE_OF_PAST: f64 = 0.05;
-
-/// Watches a state over windows of evaluations at constant targets.
-///
-/// `s` is the largest move of a node in a window. Were the energy a parabola along the window's move `dx`, its minimum
-/// would lie `|F.dx| / |dx.dF|` moves further on, with F the force at the end and dF its change: the larger of the two
-/// distances is the estimate. It is no less than the way that the force on a node would take it against its creases and
-/// corner angles alone: what hardly moves because beams are very stiff, or the step is very short, has not settled.
-#[derive(Debug)]
+/// Where the nodes were when the present window began, and what pulled them.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Settling {
     tolerance: f64,
+    /// By node: the inverse of the row sum of its creases and corner angles.
     softness: Vec<f64>,
-    evaluations: u64,
-    window_ends: u64,
-    settled_windows: u32,
-    positions: Vec<DVec3>,
-    forces: Vec<DVec3>,
-    distance: f64,
+    windows: Windows,
+    before: Vec<[DVec3; 2]>,
+    /// The last estimate; none where nothing tells.
+    distance: Option<f64>,
 }
 
 impl Settling {
@@ -44,68 +27,67 @@ impl Settling {
     }
 
     fn with_stiffness(stiffness: &[f64], tolerance: f64) -> Self {
-        Self {
-            tolerance,
-            softness: stiffness.iter().map(|k| 1.0 / k).collect(),
-            evaluations: 0,
-            window_ends: 0,
-            settled_windows: 0,
-            positions: Vec::new(),
-            forces: Vec::new(),
-            distance: f64::INFINITY,
-        }
+        let softness = stiffness.iter().map(|k| 1.0 / k).collect();
+        Self { tolerance, softness, windows: Windows::default(), before: Vec::new(), distance: None }
     }
 
     /// Whether a window ends with the next evaluation.
-    pub(super) fn looks(&self) -> bool {
-        self.evaluations == self.window_ends
+    pub(super) fn window_ends(&self) -> bool {
+        self.windows.window_ends()
     }
 
-    /// Takes note of one evaluation; true when the state has settled. Where a window ends, `read` writes positions and
-    /// forces by node.
-    pub(super) fn observe(&mut self, read: impl FnOnce(&mut Vec<DVec3>, &mut Vec<DVec3>)) -> bool {
-        if self.looks() {
-            let (mut positions, mut forces) = (Vec::new(), Vec::new());
-            read(&mut positions, &mut forces);
-            if self.evaluations > 0 {
-                self.distance = self.estimate(&positions, &forces);
-                self.settled_windows = match self.distance / self.tolerance {
-                    share if share < SMALL_SHARE => self.settled_windows + 2,
-                    share if share < SHARE => self.settled_windows + 1,
-                    _ => 0,
-                };
+    /// Takes note of one evaluation; true when the state has settled. `nodes` are positions and forces, looked at where a
+    /// window ends.
+    pub(super) fn observe(&mut self, nodes: impl Iterator<Item = [DVec3; 2]>) -> bool {
+        let mut share = None;
+        if self.windows.window_ends() {
+            if self.before.is_empty() {
+                self.before.extend(nodes);
+            } else {
+                let window = self.next_window(nodes);
+                if self.windows.sound {
+                    let distance = distance(window, self.tolerance);
+                    self.distance = Some(distance).filter(|distance| distance.is_finite());
+                    share = Some(distance / self.tolerance);
+                }
             }
-            (self.positions, self.forces) = (positions, forces);
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a step count")]
-            let share = (SHARE_OF_PAST * self.evaluations as f64) as u64;
-            self.window_ends += SHORTEST.max(share);
         }
-        self.evaluations += 1;
-        self.settled_windows >= WINDOWS && self.evaluations > LEAST
+        self.windows.settle_decide(1, share)
+    }
+
+    /// Something has changed that the sheet has yet to follow.
+    pub(super) fn disturb(&mut self) {
+        self.windows.disturb();
+        self.distance = None;
     }
 
     /// The estimate at the end of the last window, in radii; infinite before.
     pub(super) fn distance(&self) -> f64 {
-        self.distance
+        self.distance.unwrap_or(f64::INFINITY)
     }
 
-    fn estimate(&self, positions: &[DVec3], forces: &[DVec3]) -> f64 {
-        let (mut largest, mut least, mut ahead, mut change) = (0.0_f64, 0.0_f64, 0.0, 0.0);
-        let before = self.positions.iter().zip(&self.forces);
-        for (((p, f), (p0, f0)), softness) in positions.iter().zip(forces).zip(before).zip(&self.softness) {
-            let moved = *p - *p0;
+    /// Whether it is of so many nodes.
+    pub(super) fn fits(&self, nodes: usize) -> bool {
+        self.softness.len() == nodes && (self.before.is_empty() || self.before.len() == nodes)
+    }
+
+    /// Whether the last windows had all settled.
+    pub(super) fn has_settled(&self) -> bool {
+        self.windows.has_settled()
+    }
+
+    /// What a window came to; the next one begins at `nodes`.
+    fn next_window(&mut self, nodes: impl Iterator<Item = [DVec3; 2]>) -> Window {
+        let (mut largest, mut window) = (0.0_f64, Window::default());
+        for (([p, f], before), softness) in nodes.zip(&mut self.before).zip(&self.softness) {
+            let [p0, f0] = std::mem::replace(before, [p, f]);
+            let moved = p - p0;
             largest = largest.max(moved.length_squared());
-            least = least.max(f.length() * softness);
-            ahead += f.dot(moved);
-            change += (*f - *f0).dot(moved);
+            window.least = window.least.max(f.length() * softness);
+            window.ahead += f.dot(moved);
+            window.change += (f - f0).dot(moved);
         }
-        let largest = largest.sqrt();
-        if largest == 0.0 {
-            return least;
-        }
-        // No change of force along a move: nothing tells how far the minimum is.
-        let further = if change == 0.0 { f64::INFINITY } else { largest * (ahead / change).abs() };
-        largest.max(further).max(least)
+        Window { largest: largest.sqrt(), ..window }
     }
 }
 
@@ -115,10 +97,7 @@ mod tests {
 
     /// One evaluation of a sheet of one node.
     fn observe(settling: &mut Settling, position: DVec3, force: DVec3) -> bool {
-        settling.observe(|positions, forces| {
-            positions.push(position);
-            forces.push(force);
-        })
+        settling.observe(std::iter::once([position, force]))
     }
 
     /// A point that slides down a parabola, a fixed share of its distance at each evaluation.
@@ -170,5 +149,24 @@ mod tests {
         let mut settling = Settling::with_stiffness(&[20.0], 1e-4);
         assert!((0..1000).all(|_| !observe(&mut settling, DVec3::ONE, DVec3::X)));
         assert_eq!(settling.distance(), 1.0 / 20.0);
+    }
+
+    #[test]
+    fn a_slide_that_is_pushed_back_settles_anew_within_the_tolerance() {
+        for share in [0.5, 0.1, 0.01] {
+            let tolerance = 1e-4;
+            let mut settling = Settling::with_stiffness(&[7.0], tolerance);
+            let mut x = 1.0;
+            for push in 0..3 {
+                x += 0.3;
+                settling.disturb();
+                assert_eq!(settling.distance(), f64::INFINITY, "nothing is known of it yet");
+                let took = (0..100_000).find(|_| {
+                    x *= 1.0 - share;
+                    observe(&mut settling, DVec3::new(x, 0.0, 0.0), DVec3::new(-7.0 * x, 0.0, 0.0))
+                });
+                assert!(took.is_some() && x < tolerance, "{share}, push {push}: stopped at {x}");
+            }
+        }
     }
 }

@@ -3,12 +3,14 @@
 use glam::DVec3;
 
 use super::perturb::perturb;
-use crate::forces::{Energy, creases};
+use crate::forces::{Energy, Forces, creases};
 use crate::model::Model;
+use crate::scene::{Held, Scene};
 
 /// Everything that a solver carries from step to step. Fold angles are a part of it: positions alone do not tell how
 /// often a crease has turned.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
     /// By node, in radii of the sheet.
     pub positions: Vec<DVec3>,
@@ -56,7 +58,7 @@ impl State {
     pub fn perturbed(model: &Model, share: f64, seed: u64) -> Self {
         let mut state = Self::at_rest(model);
         if share != 0.0 {
-            perturb(model, &mut state.positions, share, seed);
+            perturb(model, &Held::new(model, &Scene::default()), &mut state.positions, share, seed);
         }
         state
     }
@@ -65,6 +67,21 @@ impl State {
     #[must_use]
     pub fn energy(&self, model: &Model) -> Energy {
         Energy::of(model, &self.positions, &self.fold_angles, &self.targets)
+    }
+
+    /// The same with that of the scene's loads and forces.
+    #[must_use]
+    pub fn energy_in(&self, model: &Model, scene: &Scene) -> Energy {
+        Energy::in_scene(model, scene, &self.positions, &self.fold_angles, &self.targets)
+    }
+
+    /// Every first derivative of the energy by a position, dE/dx by node: what pulls at each node, with the other sign.
+    /// Held nodes have theirs along the axes that are free.
+    #[must_use]
+    pub fn gradient(&self, model: &Model, scene: &Scene) -> Vec<DVec3> {
+        let mut forces = Forces::in_scene(model, scene);
+        let forces = forces.evaluate(&self.positions, &self.targets, &mut self.fold_angles.clone());
+        forces.iter().map(|force| -*force).collect()
     }
 
     /// How many creases are folded past [`super::TANGLED_DEGREES`].

@@ -2,6 +2,7 @@
 
 use super::{Instance, Relax, State};
 use crate::model::{Material, Model};
+use crate::scene::Scene;
 
 /// What varies between the sheets of an ensemble. Every combination is one of its points.
 ///
@@ -17,7 +18,7 @@ use crate::model::{Material, Model};
 /// let models = Model::of_each(&pattern, &sweep.materials)?;
 /// // The instances bring their perturbation with them.
 /// let solver = Relax { perturbation: 0.0, ..Relax::default() };
-/// let folded = solver.fold_all(&sweep.instances(&models), &|_, _| {});
+/// let folded = solver.fold_all(&sweep.instances(&models), &|_, _| std::ops::ControlFlow::Continue(()));
 /// for (point, folded) in sweep.points().zip(folded) {
 ///     assert!(folded?.converged(), "{} % of {:?}", point.percent, sweep.materials[point.material]);
 /// }
@@ -94,6 +95,6 @@ impl Point {
         let at_rest = State::at_rest(model);
         let still = model.targets(self.percent) == at_rest.targets;
         let start = if still { at_rest } else { State::perturbed(model, self.perturbation, self.seed) };
-        Instance { model, start, percent: self.percent }
+        Instance { model, start, scene: Scene::percent(self.percent) }
     }
 }

@@ -1,16 +1,21 @@
 //! Time steps of [`super::Dynamics`]: the paper's, and one that holds.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::Integrator;
-use super::row_sums::shared_row_sums;
+use super::row_sums::all_row_sums;
 use crate::forces::damping;
 use crate::model::Model;
+use crate::scene::Force;
+use crate::twins::safe_time_step::{longest, safe_time_step};
 
 /// How long a step of [`super::Dynamics`] is.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum TimeStep {
     /// [`paper`]: what the reference program takes. Blows up on thin triangles, hubs, stiff creases.
     Paper,
@@ -29,19 +34,17 @@ pub fn paper(model: &Model) -> f64 {
     0.9 / (2.0 * PI * stiffest.sqrt())
 }
 
-/// How much of the longest step that surely holds is taken.
-pub const SAFE_SHARE: f64 = 0.9;
-
-/// [`SAFE_SHARE`] of the longest step for which `K dt^2 + 2 D dt < 4`, with K the largest row sum of the stiffness at
+/// 0.9 of the longest step for which `K dt^2 + 2 D dt < 4`, with K the largest row sum of the stiffness at
 /// `positions` and D the largest sum of twice the damping coefficients at a node. [`Integrator::Verlet`], whose damping is
 /// that of an extrapolated velocity, bears half as much of it: `K dt^2 + 4 D dt < 4`.
 #[must_use]
 pub fn safe(model: &Model, positions: &[DVec3], integrator: Integrator) -> f64 {
-    Safe::new(model, integrator).step(false, model, positions)
+    Safe::new(model, integrator).step(false, (model, &[]), positions)
 }
 
 /// What [`safe`] needs of a model that stays as the geometry changes.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Safe {
     damping: f64,
     /// Memory for the row sums.
@@ -53,29 +56,24 @@ impl Safe {
         Self { damping: damping_sum(model, integrator), sums: vec![0.0; model.node_count()] }
     }
 
-    /// Found by all threads of this thread's pool where it is `shared`.
-    pub(super) fn step(&mut self, shared: bool, model: &Model, positions: &[DVec3]) -> f64 {
-        shared_row_sums(shared, model, positions, &mut self.sums);
-        let stiffness = self.sums.iter().fold(0.0, |a: f64, b| a.max(*b));
-        // (-D + sqrt(D^2 + 4 K)) / K without the difference of nearly equal numbers.
-        SAFE_SHARE * 4.0 / (self.damping + (self.damping * self.damping + 4.0 * stiffness).sqrt())
+    /// With the forces of one's own that act on `model`. Found by all threads of this thread's pool where it is `shared`.
+    pub(super) fn step(
+        &mut self,
+        shared: bool,
+        (model, own): (&Model, &[Arc<dyn Force>]),
+        positions: &[DVec3],
+    ) -> f64 {
+        all_row_sums(shared, (model, own), positions, &mut self.sums);
+        longest(self.sums.iter().fold(0.0, |a: f64, b| a.max(*b)), self.damping)
     }
 }
-
-/// How far the swiftest node may get in one step of [`TimeStep::Safe`], in radii: what moves farther has left the shape for
-/// which the step was found, which very stiff creases do at a jump.
-pub const SAFE_MOVE: f64 = 0.1;
-/// How much longer a renewed step may be than the one before: heights shrink again, within fewer steps than a renewal.
-/// `origami study stability` found narrow pleats to fail at 1.12.
-pub const SAFE_GROWTH: f64 = 1.025;
 
 /// The step that follows `previous`, of which there is none at first, where [`safe`] says `safe` and the nodes have
 /// `velocities`.
 #[must_use]
 pub fn renewed(safe: f64, velocities: &[DVec3], previous: Option<f64>) -> f64 {
     let swiftest = velocities.iter().map(|v| v.length_squared()).fold(0.0, f64::max).sqrt();
-    let slow_enough = if safe * swiftest > SAFE_MOVE { SAFE_MOVE / swiftest } else { safe };
-    previous.map_or(slow_enough, |previous| slow_enough.min(SAFE_GROWTH * previous))
+    safe_time_step(safe, swiftest, previous)
 }
 
 /// The D of [`safe`]: the largest sum of twice the damping coefficients at a node, and twice that for

@@ -15,7 +15,8 @@ const STRAINED: f64 = 1e-3;
 /// At any other percentage strain is no sign: a uniform share of all angles is on no rigid path.
 #[must_use]
 pub fn frustration(model: &Model, folded: &Folded) -> Option<Warning> {
-    if folded.percent.abs() != 100.0 || !folded.converged() {
+    let Some(percent) = folded.percent().filter(|percent| percent.abs() == 100.0) else { return None };
+    if !folded.converged() {
         return None;
     }
     let strain = Strain::of(model, &folded.state.positions).beams;
@@ -31,6 +32,6 @@ pub fn frustration(model: &Model, folded: &Folded) -> Option<Warning> {
             100.0 * strain.mean,
             angles.max
         );
-        Warning::new(format!("the sheet at {} %", folded.percent), message)
+        Warning::new(format!("the sheet at {percent} %"), message)
     })
 }

@@ -1,6 +1,8 @@
 //! Downhill by Newton's method: where the Hessian is not positive definite it is shifted until it is, so that every step
 //! leads down, on frustrated patterns too.
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 
 use super::factor::Factor;
@@ -8,6 +10,7 @@ use super::matrix::Matrix;
 use super::rigid::Rigid;
 use crate::forces::Forces;
 use crate::model::Model;
+use crate::scene::{Reaction, Scene};
 use crate::solve::{State, largest};
 
 /// Shifts are shares of each node's row sum. The first one ...
@@ -60,6 +63,8 @@ pub(super) enum End {
     Limit,
     /// Nothing leads down any more.
     Stuck,
+    /// Who watched it broke it off.
+    Cancelled,
 }
 
 /// How many directions cost no energy at a state.
@@ -74,6 +79,8 @@ pub struct Stability {
 /// All that Newton's method keeps for a model.
 pub(super) struct Descent<'m> {
     model: &'m Model,
+    /// What acts besides the springs; its targets count for nothing.
+    pub(super) scene: Scene,
     matrix: Matrix<'m>,
     factor: Factor,
     rigid: Rigid,
@@ -87,14 +94,15 @@ pub(super) struct Descent<'m> {
 
 impl<'m> Descent<'m> {
     /// `None` where the factors do not fit into memory.
-    pub(super) fn new(model: &'m Model) -> Option<Self> {
-        let matrix = Matrix::new(model);
+    pub(super) fn new(model: &'m Model, scene: &Scene) -> Option<Self> {
+        let matrix = Matrix::new(model, scene);
         let factor = Factor::new(matrix.structure())?;
         Some(Self {
             model,
             factor,
-            rigid: Rigid::new(model),
-            forces: Forces::new(model),
+            rigid: Rigid::new(model, scene),
+            forces: Forces::in_scene(model, scene),
+            scene: scene.clone(),
             column: vec![0.0; matrix.size()],
             step: vec![DVec3::ZERO; model.node_count()],
             matrix,
@@ -106,7 +114,7 @@ impl<'m> Descent<'m> {
 
     /// Forgets all but the order of elimination: the same input gives the same bits, whatever came before.
     pub(super) fn begin(&mut self) {
-        self.forces = Forces::new(self.model);
+        self.forces = Forces::in_scene(self.model, &self.scene);
         (self.shift, self.factorisations, self.evaluations) = (FIRST, 0, 0);
     }
 
@@ -115,11 +123,16 @@ impl<'m> Descent<'m> {
         self.shift = FIRST;
     }
 
+    /// What the supports do to the held nodes at the state that was last measured.
+    pub(super) fn reactions(&self) -> Vec<Reaction> {
+        self.forces.reactions().to_vec()
+    }
+
     pub(super) fn measure(&mut self, state: &mut State) -> Measured {
         self.evaluations += 1;
         let forces = self.forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles).to_vec();
         let residual = if forces.iter().all(|f| f.is_finite()) { largest(&forces) } else { f64::INFINITY };
-        Measured { energy: state.energy(self.model).total(), residual, forces }
+        Measured { energy: state.energy_in(self.model, &self.scene).total(), residual, forces }
     }
 
     /// Goes down from `state` until no force exceeds `goal`, with at most `limit` factorisations in all. `observe` is told
@@ -129,7 +142,7 @@ impl<'m> Descent<'m> {
         state: &mut State,
         goal: f64,
         limit: u32,
-        observe: &mut dyn FnMut(u64, f64),
+        observe: &mut dyn FnMut(u64, f64) -> ControlFlow<()>,
     ) -> (End, Measured) {
         let mut now = self.measure(state);
         let mut before = f64::INFINITY;
@@ -150,8 +163,10 @@ impl<'m> Descent<'m> {
                 if self.solve_for(state, &now.forces)
                     && let Some(next) = self.try_step(state, &now)
                 {
-                    observe(self.evaluations, longest(&self.step));
                     now = next;
+                    if observe(self.evaluations, longest(&self.step)).is_break() {
+                        return (End::Cancelled, now);
+                    }
                     break;
                 }
                 if rounded {

@@ -1,18 +1,21 @@
 //! The Hessian as a sparse matrix: its lower triangle by columns, the rows of fixed nodes left out.
 
+use std::sync::Arc;
+
 use faer::Side;
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use glam::{DMat3, DVec3};
 
 use crate::forces::hessian;
 use crate::model::Model;
+use crate::scene::{Axes, Force, Held, Scene};
 use crate::solve::State;
-use crate::solve::row_sums::row_sums;
+use crate::solve::row_sums::all_row_sums;
 
 /// Which of the two triangles of a symmetric matrix is stored.
 pub(super) const STORED: Side = Side::Lower;
 
-/// The Hessian of a model's energy. Where its entries may be depends on the model alone.
+/// The Hessian of a sheet's energy. Where its entries may be depends on the model, the supports and forces of one's own.
 #[derive(Debug)]
 pub(super) struct Matrix<'m> {
     model: &'m Model,
@@ -28,12 +31,16 @@ pub(super) struct Matrix<'m> {
     /// By node that moves: the row sum of its stiffness, with which shifts are weighted.
     weights: Vec<f64>,
     row_sums: Vec<f64>,
+    own: Vec<Arc<dyn Force>>,
+    /// Nodes that move along some axes only: their number among those that move, and the axes that are held.
+    guided: Vec<(usize, Axes)>,
 }
 
 impl<'m> Matrix<'m> {
-    pub(super) fn new(model: &'m Model) -> Self {
+    pub(super) fn new(model: &'m Model, scene: &Scene) -> Self {
+        let held = Held::new(model, scene);
         let mut place = vec![Some(0); model.node_count()];
-        for node in &model.fixed {
+        for (node, _) in held.iter().filter(|(_, axes)| *axes == Axes::ALL) {
             place[node.index()] = None;
         }
         let mut moving = 0;
@@ -41,7 +48,8 @@ impl<'m> Matrix<'m> {
             *place = moving;
             moving += 1;
         }
-        let below = neighbours(model, &place, moving);
+        let guided = held.iter().filter_map(|(node, axes)| place[node.index()].map(|place| (place, axes))).collect();
+        let below = neighbours(model, &scene.forces, &place, moving);
         let starts: Vec<usize> = below
             .iter()
             .scan(0, |next, list| {
@@ -53,7 +61,8 @@ impl<'m> Matrix<'m> {
         let structure = structure(&below);
         let values = vec![0.0; structure.row_idx().len()];
         let (weights, row_sums) = (vec![0.0; moving], vec![0.0; model.node_count()]);
-        Self { model, place, below, starts, structure, shifted: values.clone(), values, weights, row_sums }
+        let own = scene.forces.clone();
+        Self { model, place, below, starts, structure, shifted: values.clone(), values, weights, row_sums, own, guided }
     }
 
     /// Rows.
@@ -69,17 +78,27 @@ impl<'m> Matrix<'m> {
     pub(super) fn assemble(&mut self, state: &State) {
         self.values.fill(0.0);
         let (place, below, starts, values) = (&self.place, &self.below, &self.starts, &mut self.values);
-        hessian::blocks(self.model, &state.positions, &state.targets, &state.fold_angles, &mut |i, j, block| {
+        let mut enter = |i: usize, j: usize, block: DMat3| {
             let (Some(i), Some(j)) = (place[i], place[j]) else { return };
             let (row, column, block) = if i >= j { (i, j, block) } else { (j, i, block.transpose()) };
             // All nodes of a spring are among each other's neighbours.
             let Ok(at) = below[column].binary_search(&row) else { return };
-            add(&mut values[starts[column]..], below[column].len(), at, &block);
-        });
-        row_sums(self.model, &state.positions, &mut self.row_sums);
+            add(&mut values[starts[column]..], below[column].len(), at, &free(&self.guided, row, column, block));
+        };
+        hessian::blocks(self.model, &state.positions, &state.targets, &state.fold_angles, &mut enter);
+        for own in &self.own {
+            own.add_hessian(&state.positions, &mut |i, j, block| enter(i.index(), j.index(), block));
+        }
+        all_row_sums(false, (self.model, &self.own), &state.positions, &mut self.row_sums);
         for (place, sum) in self.place.iter().zip(&self.row_sums) {
             if let Some(place) = place {
                 self.weights[*place] = *sum;
+            }
+        }
+        // What is held does not move: its own entry alone is left, and no force acts on it.
+        for (node, axes) in &self.guided {
+            for (column, _) in axes.to_array().iter().enumerate().filter(|(_, held)| **held) {
+                self.values[self.starts[*node] + offset(column, self.below[*node].len())] = self.weights[*node];
             }
         }
     }
@@ -164,7 +183,21 @@ fn add(values: &mut [f64], neighbours: usize, at: usize, block: &DMat3) {
     }
 }
 
-fn neighbours(model: &Model, place: &[Option<usize>], moving: usize) -> Vec<Vec<usize>> {
+/// A block without the rows and columns that are held.
+fn free(guided: &[(usize, Axes)], row: usize, column: usize, block: DMat3) -> DMat3 {
+    let axes = |node: usize| guided.iter().find(|(own, _)| *own == node).map(|(_, axes)| *axes);
+    let block = axes(row).map_or(block, |axes| DMat3::from_cols(
+        axes.without(block.x_axis),
+        axes.without(block.y_axis),
+        axes.without(block.z_axis),
+    ));
+    axes(column).map_or(block, |axes| {
+        let kept = |held: bool, column: DVec3| if held { DVec3::ZERO } else { column };
+        DMat3::from_cols(kept(axes.x, block.x_axis), kept(axes.y, block.y_axis), kept(axes.z, block.z_axis))
+    })
+}
+
+fn neighbours(model: &Model, own: &[Arc<dyn Force>], place: &[Option<usize>], moving: usize) -> Vec<Vec<usize>> {
     let mut below: Vec<Vec<usize>> = (0..moving).map(|i| vec![i]).collect();
     let mut connect = |nodes: &[usize]| {
         for (i, a) in nodes.iter().enumerate() {
@@ -178,6 +211,9 @@ fn neighbours(model: &Model, place: &[Option<usize>], moving: usize) -> Vec<Vec<
     model.beams.iter().for_each(|beam| connect(&beam.nodes.map(|n| n.index())));
     model.creases.iter().for_each(|crease| connect(&crease.nodes.map(|n| n.index())));
     model.corner_angles.iter().for_each(|corners| connect(&corners.nodes.map(|n| n.index())));
+    for pair in own.iter().flat_map(|own| own.pairs()) {
+        connect(&pair.map(|n| n.index()));
+    }
     for list in &mut below {
         list.sort_unstable();
         list.dedup();
@@ -204,6 +240,7 @@ mod tests {
     use crate::generate::catalog;
     use crate::ids::NodeId;
     use crate::model::Material;
+    use crate::solve::row_sums::row_sums;
 
     #[test]
     fn holds_the_lower_triangle_of_what_the_springs_say() {
@@ -225,7 +262,7 @@ mod tests {
             }
         });
         let moving: Vec<usize> = (0..size).filter(|k| ![2, 7].contains(&(k / 3))).collect();
-        let mut matrix = Matrix::new(&model);
+        let mut matrix = Matrix::new(&model, &Scene::default());
         matrix.assemble(&state);
         let mut sums = vec![0.0; model.node_count()];
         row_sums(&model, &state.positions, &mut sums);

@@ -7,13 +7,16 @@ mod rigid;
 
 pub use descent::Stability;
 
+use std::ops::ControlFlow;
+
 use descent::{Descent, End};
 use glam::DVec3;
 
 use super::perturb::perturb;
-use super::{Diverged, Failed, Folded, Progress, Relax, Session, Solver, State, Stop};
+use super::{Diverged, Failed, Folded, Progress, Relax, Session, Solver, State, Stop, unwatched};
 use crate::ids::NodeId;
 use crate::model::{Inventory, Model};
+use crate::scene::{Held, Needs, Reaction, Scene, Targets};
 
 /// Largest share of the way that one increment may be, and the least.
 const LONGEST_INCREMENT: f64 = 0.25;
@@ -33,6 +36,7 @@ const ESCAPES: u32 = 8;
 /// lowest mode. Memory and time grow faster than the sheet. By default it begins where [`Relax`] ends, and so finds the
 /// equilibrium on the branch that a ramp leads to.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Newton {
     /// Largest force on a node at which it stops, in the model's unit of force; where stiffnesses are so large that
     /// rounding leaves more, that. Default 1e-10.
@@ -80,6 +84,10 @@ pub struct Equilibrium {
     pub escapes: u32,
     /// Which directions cost energy; `None` where a factorisation failed.
     pub stability: Option<Stability>,
+    /// What the supports do to the held nodes, in the order of the nodes.
+    pub reactions: Vec<Reaction>,
+    /// Whether it was broken off by who watched it.
+    cancelled: bool,
 }
 
 impl Newton {
@@ -88,29 +96,46 @@ impl Newton {
     /// # Errors
     /// [`Failed::Diverged`] where `start` is not finite; [`Failed::Backend`] where the factors do not fit into memory.
     pub fn refine(&self, model: &Model, start: &State) -> Result<Equilibrium, Failed> {
-        let mut descent = descent(model, start)?;
-        Ok(self.settle(&mut descent, start.clone(), &mut |_, _| {}))
+        self.refine_in(model, start, &Scene::default())
     }
 
-    /// The equilibrium at `percent` of the pattern's fold angles, reached from `start` in increments, whatever `relax` says.
+    /// The same under the supports, loads and forces of `scene`, whatever its targets are.
+    ///
+    /// # Errors
+    /// As [`Newton::refine`], and [`Failed::Refused`] where the scene does not fit.
+    pub fn refine_in(&self, model: &Model, start: &State, scene: &Scene) -> Result<Equilibrium, Failed> {
+        let scene = scene.clone().with_targets(Targets::at_rest());
+        let mut start = start.clone();
+        scene.place_supports(&mut start.positions);
+        let mut descent = descent(model, &start, &scene)?;
+        Ok(self.settle(&mut descent, start, &mut |_, _| ControlFlow::Continue(())))
+    }
+
+    /// The equilibrium in `scene`, reached from `start` in increments, whatever `relax` says.
     ///
     /// # Errors
     /// [`Failed::Diverged`] where `start` is not finite; [`Failed::Backend`] where the factors do not fit into memory.
-    pub fn climb(&self, model: &Model, start: &State, percent: f64) -> Result<Equilibrium, Failed> {
-        let mut descent = descent(model, start)?;
-        Ok(self.rise(&mut descent, model, start, percent, &mut |_| {}))
+    pub fn climb(&self, model: &Model, start: &State, scene: &Scene) -> Result<Equilibrium, Failed> {
+        let mut descent = descent(model, start, scene)?;
+        let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
+        Ok(self.rise(&mut descent, model, start, targets, &mut unwatched))
     }
 
     /// Which directions cost energy at `state`; `None` where the factors do not fit into memory or one of them failed.
     /// At an equilibrium it tells a minimum from a saddle; the larger the forces are, the more counts as neutral.
     #[must_use]
     pub fn stability(model: &Model, state: &State) -> Option<Stability> {
-        let mut descent = Descent::new(model)?;
+        let mut descent = Descent::new(model, &Scene::default())?;
         let now = descent.measure(&mut state.clone());
         descent.stability(state, &now)
     }
 
-    fn settle(&self, descent: &mut Descent<'_>, mut state: State, observe: &mut dyn FnMut(u64, f64)) -> Equilibrium {
+    fn settle(
+        &self,
+        descent: &mut Descent<'_>,
+        mut state: State,
+        observe: &mut dyn FnMut(u64, f64) -> ControlFlow<()>,
+    ) -> Equilibrium {
         let limit = self.max_factorisations;
         let mut escapes = 0;
         let (end, measured, stability) = loop {
@@ -123,7 +148,11 @@ impl Newton {
             escapes += 1;
         };
         state.velocities.fill(DVec3::ZERO);
+        // Of the state itself, not of one that was tried.
+        descent.measure(&mut state);
         Equilibrium {
+            cancelled: end == End::Cancelled,
+            reactions: descent.reactions(),
             distance: if end == End::Settled { descent.distance(&state, &measured) } else { f64::INFINITY },
             converged: end == End::Settled,
             residual: measured.residual,
@@ -140,14 +169,14 @@ impl Newton {
         descent: &mut Descent<'_>,
         model: &Model,
         start: &State,
-        percent: f64,
-        observe: &mut dyn FnMut(Progress),
+        targets: Vec<f64>,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Equilibrium {
-        let targets = model.targets(percent);
         let mut state = start.clone();
         if self.perturbation > 0.0 && targets != start.targets {
-            perturb(model, &mut state.positions, self.perturbation, 0);
+            perturb(model, &Held::new(model, &descent.scene), &mut state.positions, self.perturbation, 0);
         }
+        descent.scene.place_supports(&mut state.positions);
         let (mut share, mut increment) = (0.0, 1.0 / f64::from(self.increments.max(1)));
         while share < 1.0 && descent.factorisations < self.max_factorisations {
             let next = if share + increment > 1.0 - 1e-9 { 1.0 } else { share + increment };
@@ -158,8 +187,12 @@ impl Newton {
             let before = descent.factorisations;
             let limit = self.max_factorisations.min(before.saturating_add(PATIENCE));
             let (end, _) = descent.descend(&mut trial, LOOSE, limit, &mut |step, distance| {
-                observe(Progress { step, ramp: next, distance });
+                observe(Progress { step, ramp: next, distance })
             });
+            if end == End::Cancelled {
+                state = trial;
+                break;
+            }
             if end == End::Settled || increment <= SHORTEST_INCREMENT {
                 (state, share) = (trial, next);
                 if descent.factorisations - before < EASY {
@@ -179,29 +212,38 @@ impl Newton {
         descent: &mut Descent<'_>,
         model: &Model,
         start: &State,
-        percent: f64,
-        observe: &mut dyn FnMut(Progress),
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
+        let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
         descent.begin();
         let (reached, steps, attempts) = match &self.relax {
             Some(relax) => {
-                let near = relax.fold(model, start, percent, observe)?;
+                let near = relax.fold(model, start, scene, observe)?;
+                if near.stop == Stop::Cancelled {
+                    return Ok(near);
+                }
                 let steps = near.steps;
                 let mut observe = |step, distance| observe(Progress { step: steps + step, ramp: 1.0, distance });
                 (self.settle(descent, near.state, &mut observe), steps, near.attempts)
             }
-            None => (self.rise(descent, model, start, percent, observe), 0, 1),
+            None => (self.rise(descent, model, start, targets, observe), 0, 1),
         };
-        let stop = if reached.converged { Stop::Converged } else { Stop::StepLimit };
+        let stop = match reached.converged {
+            true => Stop::Converged,
+            false if reached.cancelled => Stop::Cancelled,
+            false => Stop::StepLimit,
+        };
         Ok(Folded {
             state: reached.state,
-            percent,
+            targets: scene.targets.clone(),
             stop,
             steps: steps + reached.evaluations,
             time_step: 1.0,
             residual: reached.residual,
             distance: reached.distance,
             attempts,
+            reactions: reached.reactions,
         })
     }
 }
@@ -211,10 +253,10 @@ impl Solver for Newton {
         &self,
         model: &Model,
         start: &State,
-        percent: f64,
-        observe: &mut dyn FnMut(Progress),
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
-        self.solve(&mut descent(model, start)?, model, start, percent, observe)
+        self.solve(&mut descent(model, start, scene)?, model, start, scene, observe)
     }
 
     fn session<'a>(&'a self, model: &'a Model) -> Box<dyn Session + 'a> {
@@ -236,9 +278,15 @@ struct Kept<'a> {
 }
 
 impl Session for Kept<'_> {
-    fn fold(&mut self, start: &State, percent: f64, observe: &mut dyn FnMut(Progress)) -> Result<Folded, Failed> {
-        let made = self.descent.take().map_or_else(|| descent(self.model, start), Ok)?;
-        self.newton.solve(self.descent.insert(made), self.model, start, percent, observe)
+    fn fold(
+        &mut self,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Folded, Failed> {
+        let kept = self.descent.take().filter(|kept| kept.scene.acts_as(scene));
+        let made = kept.map_or_else(|| descent(self.model, start, scene), Ok)?;
+        self.newton.solve(self.descent.insert(made), self.model, start, scene, observe)
     }
 }
 
@@ -250,12 +298,16 @@ pub struct OutOfMemory {
     pub rows: usize,
 }
 
-fn descent<'m>(model: &'m Model, start: &State) -> Result<Descent<'m>, Failed> {
+fn descent<'m>(model: &'m Model, start: &State, scene: &Scene) -> Result<Descent<'m>, Failed> {
+    let needs = [Needs::Energy, Needs::Hessian];
+    let checked = scene.check(model).and_then(|()| scene.check_balance(model));
+    let checked = checked.and_then(|()| scene.check_forces(model, &needs, "newton", "`Relax` and `Dynamics` do without"));
+    checked.map_err(|refusal| Failed::refused(refusal, start))?;
     if let Some(node) = start.positions.iter().position(|p| !p.is_finite()) {
         let place = (NodeId::new(node), start.positions[node], DVec3::ZERO);
         return Err(Diverged::new(model, place, 0, Box::new(State::at_rest(model)), 0).into());
     }
-    Descent::new(model).ok_or_else(|| Failed::Backend {
+    Descent::new(model, scene).ok_or_else(|| Failed::Backend {
         source: std::sync::Arc::new(OutOfMemory { rows: 3 * model.node_count() }),
         last_read: Box::new(start.clone()),
         last_read_step: 0,

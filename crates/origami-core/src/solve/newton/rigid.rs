@@ -3,15 +3,16 @@
 use glam::{DMat3, DVec3};
 
 use crate::model::Model;
+use crate::scene::{Held, Scene};
 
-/// The parts of the sheet that hang together and have no fixed node.
+/// The parts of the sheet that hang together and have no held node.
 #[derive(Debug)]
 pub(super) struct Rigid {
     parts: Vec<Vec<usize>>,
 }
 
 impl Rigid {
-    pub(super) fn new(model: &Model) -> Self {
+    pub(super) fn new(model: &Model, scene: &Scene) -> Self {
         let count = model.node_count();
         // Union of the ends of each beam; the root of a part is its first node.
         let mut root: Vec<usize> = (0..count).collect();
@@ -23,8 +24,12 @@ impl Rigid {
         for node in 0..count {
             parts[find(&mut root, node)].push(node);
         }
-        for node in &model.fixed {
+        for (node, _) in Held::new(model, scene).iter() {
             parts[find(&mut root, node.index())].clear();
+        }
+        // Under loads a turn costs energy.
+        if !scene.has_springs_only() {
+            parts.clear();
         }
         parts.retain(|part| !part.is_empty());
         Self { parts }
@@ -72,7 +77,7 @@ mod tests {
     #[test]
     fn a_rigid_motion_goes_and_what_is_none_stays() {
         let model = Model::new(&miura(3, 3).expect("valid"), &Material::default()).expect("valid");
-        let rigid = Rigid::new(&model);
+        let rigid = Rigid::new(&model, &Scene::default());
         let turn = DVec3::new(0.3, -1.0, 0.4);
         let mut moves: Vec<DVec3> = model.rest.iter().map(|p| DVec3::X + turn.cross(*p)).collect();
         let weights: Vec<f64> = (1..=model.node_count()).map(|i| i as f64).collect();
@@ -91,7 +96,7 @@ mod tests {
         let mut model = Model::new(&miura(3, 3).expect("valid"), &Material::default()).expect("valid");
         model.fixed.push(crate::ids::NodeId(0));
         let mut moves = vec![DVec3::X; model.node_count()];
-        Rigid::new(&model).remove(&model.rest, &vec![1.0; model.node_count()], &mut moves);
+        Rigid::new(&model, &Scene::default()).remove(&model.rest, &vec![1.0; model.node_count()], &mut moves);
         assert_eq!(moves, vec![DVec3::X; model.node_count()]);
     }
 }

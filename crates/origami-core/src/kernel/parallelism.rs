@@ -1,19 +1,19 @@
-//! Into how many parts a pass is cut: some for each thread, as long as that is faster than one thread alone.
+//! Into how many tasks a pass is cut: some for each thread, as long as that is faster than one thread alone.
 //!
 //! Where other processes hold the cores, a thread that waits for the others loses time. Nothing but a clock tells, and as no
-//! bit depends on the number of parts, a clock may: a sheet begins on one thread, is soon tried on all, and the faster way
+//! bit depends on the number of tasks, a clock may: a sheet begins on one thread, is soon tried on all, and the faster way
 //! stays; now and then a few steps are taken the other way.
 
 use std::time::{Duration, Instant};
 
-/// A thread that is done takes parts of another one. With one part each it falls asleep while the other works on, and is
+/// A thread that is done takes tasks of another one. With one task each it falls asleep while the other works on, and is
 /// slow to wake.
-const PARTS_A_THREAD: usize = 8;
+const TASKS_PER_THREAD: usize = 8;
 /// Steps that do not count: memory is touched for the first time.
 const WARM_UP: u32 = 3;
-/// How long it goes on at first.
+/// How long the first way is kept before the other is tried.
 const FIRST: Duration = Duration::from_millis(10);
-/// How long it goes on in the faster way before the other is tried.
+/// How long the faster way is kept before the other is tried again.
 const STAY: Duration = Duration::from_millis(200);
 /// The same where the other way was tried in vain again and again.
 const LONGEST_STAY: Duration = Duration::from_secs(2);
@@ -27,7 +27,7 @@ const WORTH: f64 = 0.85;
 
 /// How the passes of one sheet are shared out.
 #[derive(Clone, Debug)]
-pub(super) struct Team {
+pub(super) struct Parallelism {
     threads: usize,
     alone: bool,
     /// Time for each step in the way before, while the other is on trial.
@@ -39,22 +39,23 @@ pub(super) struct Team {
     stay: Duration,
 }
 
-impl Team {
+impl Parallelism {
     pub(super) fn new(threads: usize) -> Self {
         Self { threads, alone: true, trial: None, began: None, steps: 0, warm_up: WARM_UP, stay: FIRST }
     }
 
-    /// Of so many threads, whatever the clock says.
+    /// Always shared out among `threads` threads, whatever the clock says.
     #[cfg(test)]
     pub(super) fn steady(threads: usize) -> Self {
         Self { alone: false, stay: Duration::MAX, ..Self::new(threads) }
     }
 
-    pub(super) fn parts(&self) -> usize {
-        if self.alone { 1 } else { PARTS_A_THREAD * self.threads }
+    /// How many tasks to cut a pass into: 1 while one thread alone is faster.
+    pub(super) fn tasks(&self) -> usize {
+        if self.alone { 1 } else { TASKS_PER_THREAD * self.threads }
     }
 
-    /// Before each step.
+    /// To be called before each step.
     pub(super) fn step(&mut self) {
         if self.threads == 1 {
             return;
@@ -96,16 +97,16 @@ mod tests {
 
     /// The share of time that three threads work together, where a step takes so many microseconds alone and together.
     fn share_together(alone: u64, together: u64) -> f64 {
-        let (mut team, mut now) = (Team::new(3), Instant::now());
-        let (mut in_all, mut of_team) = (0, 0);
+        let (mut parallelism, mut now) = (Parallelism::new(3), Instant::now());
+        let (mut in_all, mut when_together) = (0, 0);
         for _ in 0..10_000 {
-            team.step_at(now);
-            let took = if team.parts() > 1 { together } else { alone };
+            parallelism.step_at(now);
+            let took = if parallelism.tasks() > 1 { together } else { alone };
             in_all += took;
-            of_team += if team.parts() > 1 { took } else { 0 };
+            when_together += if parallelism.tasks() > 1 { took } else { 0 };
             now += Duration::from_micros(took);
         }
-        of_team as f64 / in_all as f64
+        when_together as f64 / in_all as f64
     }
 
     #[test]
@@ -117,24 +118,24 @@ mod tests {
 
     #[test]
     fn it_goes_back_where_the_other_cores_are_taken_and_free_again() {
-        let (mut team, mut now) = (Team::new(2), Instant::now());
+        let (mut parallelism, mut now) = (Parallelism::new(2), Instant::now());
         for (together, alone) in [(500, false), (2000, true), (500, false)] {
             for _ in 0..6000 {
-                team.step_at(now);
-                now += Duration::from_micros(if team.parts() > 1 { together } else { 1000 });
+                parallelism.step_at(now);
+                now += Duration::from_micros(if parallelism.tasks() > 1 { together } else { 1000 });
             }
-            while team.trial.is_some() {
-                team.step_at(now);
-                now += Duration::from_micros(if team.parts() > 1 { together } else { 1000 });
+            while parallelism.trial.is_some() {
+                parallelism.step_at(now);
+                now += Duration::from_micros(if parallelism.tasks() > 1 { together } else { 1000 });
             }
-            assert_eq!(team.parts() == 1, alone, "{together} us together");
+            assert_eq!(parallelism.tasks() == 1, alone, "{together} us together");
         }
     }
 
     #[test]
     fn one_thread_is_alone_without_a_clock() {
-        let mut team = Team::new(1);
-        team.step();
-        assert!(team.began.is_none() && team.parts() == 1);
+        let mut parallelism = Parallelism::new(1);
+        parallelism.step();
+        assert!(parallelism.began.is_none() && parallelism.tasks() == 1);
     }
 }

@@ -1,17 +1,16 @@
 //! First pass: the fold angle of every crease and the moment of its spring (paper 2.3).
 
 use super::angle::{angle_of, unwrapped};
-use super::isa::Compute;
-use super::isa::Pass;
-use super::lane::{Mesh, Num, Vec3};
+use super::isa::{Compute, Pass};
+use super::lane::{GatherScatter, Num, Vec3};
 use super::real::{Quad64, Real};
 use super::share::Cut;
 use crate::model::DEGENERATE;
 
 /// Writes angles and moments; the result is the most by which a crease turned, in radians.
-pub(super) struct Edges<'a, R: Real> {
-    pub(super) places: &'a [Quad64],
-    /// By chunk: apexes and ends.
+pub(super) struct FoldAngles<'a, R: Real> {
+    pub(super) positions: &'a [Quad64],
+    /// By chunk of creases: apexes one and two, ends one and two.
     pub(super) hinges: &'a [u32],
     pub(super) stiffness: &'a [R],
     pub(super) targets: &'a [R],
@@ -19,11 +18,11 @@ pub(super) struct Edges<'a, R: Real> {
     pub(super) moments: &'a mut [R],
 }
 
-impl<R: Real> Pass<R> for Edges<'_, R> {
+impl<R: Real> Pass<R> for FoldAngles<'_, R> {
     type Output = f64;
 
     #[inline(always)]
-    fn run<L: Mesh<Real = R>>(self, lane: L) -> f64 {
+    fn run<L: GatherScatter<Real = R>>(self, lane: L) -> f64 {
         let mut most = Num::splat(lane, 0.0);
         let springs = self.stiffness.chunks_exact(L::WIDTH).zip(self.targets.chunks_exact(L::WIDTH));
         let states = self.angles.chunks_exact_mut(L::WIDTH).zip(self.moments.chunks_exact_mut(L::WIDTH));
@@ -31,7 +30,7 @@ impl<R: Real> Pass<R> for Edges<'_, R> {
         for ((nodes, (stiffness, target)), (angles, moments)) in hinges.zip(springs).zip(states) {
             let previous = Num::load(lane, angles);
             let (stiffness, target) = (Num::load(lane, stiffness), Num::load(lane, target));
-            let (angle, moment) = edge(lane, self.places, nodes, previous, target, stiffness);
+            let (angle, moment) = angle_and_moment(lane, self.positions, nodes, previous, target, stiffness);
             most = most.max((angle - previous).abs());
             angle.store(angles);
             moment.store(moments);
@@ -42,7 +41,7 @@ impl<R: Real> Pass<R> for Edges<'_, R> {
     }
 }
 
-impl<R: Compute> Cut<R> for Edges<'_, R> {
+impl<R: Compute> Cut<R> for FoldAngles<'_, R> {
     fn elements(&self) -> usize {
         self.stiffness.len()
     }
@@ -54,14 +53,14 @@ impl<R: Compute> Cut<R> for Edges<'_, R> {
         let (angles, other_angles) = self.angles.split_at_mut(at);
         let (moments, other_moments) = self.moments.split_at_mut(at);
         let other = Self {
-            places: self.places,
+            positions: self.positions,
             hinges: other_hinges,
             stiffness: other_stiffness,
             targets: other_targets,
             angles: other_angles,
             moments: other_moments,
         };
-        (Self { places: self.places, hinges, stiffness, targets, angles, moments }, other)
+        (Self { positions: self.positions, hinges, stiffness, targets, angles, moments }, other)
     }
 
     fn both(one: f64, other: f64) -> f64 {
@@ -71,9 +70,9 @@ impl<R: Compute> Cut<R> for Edges<'_, R> {
 
 /// Fold angles and moments of the hinges on `nodes`.
 #[inline(always)]
-fn edge<L: Mesh>(
+fn angle_and_moment<L: GatherScatter>(
     lane: L,
-    places: &[Quad64],
+    positions: &[Quad64],
     nodes: &[u32],
     previous: Num<L>,
     target: Num<L>,
@@ -81,14 +80,14 @@ fn edge<L: Mesh>(
 ) -> (Num<L>, Num<L>) {
     let (apexes, ends) = nodes.split_at(2 * L::WIDTH);
     let ((one, two), (end, other_end)) = (apexes.split_at(L::WIDTH), ends.split_at(L::WIDTH));
-    let along = Vec3::new(lane, lane.between(places, end, other_end));
-    let to_one = Vec3::new(lane, lane.between(places, end, one));
-    let to_two = Vec3::new(lane, lane.between(places, end, two));
+    let along = Vec3::new(lane, lane.gather_differences(positions, end, other_end));
+    let to_one = Vec3::new(lane, lane.gather_differences(positions, end, one));
+    let to_two = Vec3::new(lane, lane.gather_differences(positions, end, two));
     let (normal_one, normal_two) = (along.cross(to_one), to_two.cross(along));
     let squared = along.dot(along);
     let limit = Num::splat(lane, DEGENERATE * DEGENERATE);
     let least = limit * squared;
-    // It keeps its angle and pulls at nothing until it opens again.
+    // A crease that is not sound keeps its angle and pulls at nothing until it opens again.
     let sound = limit.less(squared) & least.less(normal_one.dot(normal_one)) & least.less(normal_two.dot(normal_two));
     let (y, x) = (squared.sqrt() * normal_two.dot(to_one), normal_one.dot(normal_two));
     let angle = sound.select(unwrapped(angle_of(y, x), previous), previous);

@@ -2,33 +2,24 @@
 
 use super::gather::{gathered, rows};
 use super::isa::{Compute, Pass};
-use super::lane::{Lane, Mesh, Num};
+use super::lane::{GatherScatter, Lane, Num};
 use super::real::Real;
 use super::share::Cut;
+use crate::twins::fire_update::Sums;
 
 /// Nodes whose sums are taken one after the other: the sums of these blocks are then added in their order, so that the
 /// result does not depend on who took which.
 pub(super) const BLOCK: usize = 256;
 
-/// Power, and the squared lengths of velocity and acceleration in the norm of the masses.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Sums {
-    pub(crate) power: f64,
-    pub(crate) speed: f64,
-    pub(crate) pull: f64,
+/// Adds up the sums of all blocks, in their order.
+pub(super) fn total_of(blocks: &[Sums]) -> Sums {
+    let add =
+        |a: Sums, b: &Sums| Sums { power: a.power + b.power, speed: a.speed + b.speed, pull: a.pull + b.pull };
+    blocks.iter().fold(Sums::default(), add)
 }
 
-impl Sums {
-    /// Of all blocks, in their order.
-    pub(super) fn of(blocks: &[Self]) -> Self {
-        let add =
-            |a: Self, b: &Self| Self { power: a.power + b.power, speed: a.speed + b.speed, pull: a.pull + b.pull };
-        blocks.iter().fold(Self::default(), add)
-    }
-}
-
-/// Keeps the force on each node, and the sums of each block of nodes.
-pub(super) struct Weigh<'a, R: Real> {
+/// Stores the force on each node, and the sums of each block of nodes.
+pub(super) struct ReduceForces<'a, R: Real> {
     /// The first slot of each node, and the end of the last.
     pub(super) rows: &'a [u32],
     pub(super) slots: &'a [u32],
@@ -36,36 +27,37 @@ pub(super) struct Weigh<'a, R: Real> {
     pub(super) velocities: &'a [R::Quad],
     /// By node: the mass and its inverse.
     pub(super) masses: &'a [[f64; 2]],
-    pub(super) kept: &'a mut [R::Quad],
+    pub(super) node_forces: &'a mut [R::Quad],
     pub(super) sums: &'a mut [Sums],
 }
 
-impl<R: Real> Pass<R> for Weigh<'_, R> {
+impl<R: Real> Pass<R> for ReduceForces<'_, R> {
     type Output = ();
 
     #[inline(always)]
-    fn run<L: Mesh<Real = R>>(self, lane: L) {
-        let nodes = self.velocities.chunks(BLOCK).zip(self.masses.chunks(BLOCK)).zip(self.kept.chunks_mut(BLOCK));
+    fn run<L: GatherScatter<Real = R>>(self, lane: L) {
+        let nodes =
+            self.velocities.chunks(BLOCK).zip(self.masses.chunks(BLOCK)).zip(self.node_forces.chunks_mut(BLOCK));
         for (block, (((velocities, masses), forces), sums)) in nodes.zip(self.sums).enumerate() {
             let own = &self.rows[block * BLOCK..][..masses.len() + 1];
-            let zero = Num::splat(lane.place(), 0.0);
+            let zero = Num::splat(lane.position(), 0.0);
             let (mut power, mut speed, mut pull) = (zero, zero, zero);
             let nodes = rows(own, self.slots).zip(velocities).zip(masses).zip(forces);
-            for (((slots, velocity), [mass, inverse]), kept) in nodes {
+            for (((slots, velocity), [mass, inverse]), node_forces) in nodes {
                 let force = gathered(lane, slots, self.forces);
-                *kept = lane.store_node(force.raw);
-                let force = Num { lane: lane.place(), raw: lane.widen(force.raw) };
-                let velocity = Num { lane: lane.place(), raw: lane.widen(lane.load_node(*velocity)) };
+                *node_forces = lane.store_node(force.raw);
+                let force = Num { lane: lane.position(), raw: lane.widen(force.raw) };
+                let velocity = Num { lane: lane.position(), raw: lane.widen(lane.load_node(*velocity)) };
                 power = force.mul_add(velocity, power);
-                speed = (velocity * velocity).mul_add(Num::splat(lane.place(), *mass), speed);
-                pull = (force * force).mul_add(Num::splat(lane.place(), *inverse), pull);
+                speed = (velocity * velocity).mul_add(Num::splat(lane.position(), *mass), speed);
+                pull = (force * force).mul_add(Num::splat(lane.position(), *inverse), pull);
             }
             *sums = Sums { power: total(power), speed: total(speed), pull: total(pull) };
         }
     }
 }
 
-impl<R: Compute> Cut<R> for Weigh<'_, R> {
+impl<R: Compute> Cut<R> for ReduceForces<'_, R> {
     const GRAIN: usize = BLOCK;
 
     fn elements(&self) -> usize {
@@ -75,23 +67,23 @@ impl<R: Compute> Cut<R> for Weigh<'_, R> {
     fn cut(self, at: usize) -> (Self, Self) {
         let (velocities, other_velocities) = self.velocities.split_at(at);
         let (masses, other_masses) = self.masses.split_at(at);
-        let (kept, other_kept) = self.kept.split_at_mut(at);
+        let (node_forces, other_node_forces) = self.node_forces.split_at_mut(at);
         let (sums, other_sums) = self.sums.split_at_mut(at / BLOCK);
         let other = Self {
             rows: &self.rows[at..],
             velocities: other_velocities,
             masses: other_masses,
-            kept: other_kept,
+            node_forces: other_node_forces,
             sums: other_sums,
             ..self
         };
-        (Self { velocities, masses, kept, sums, ..self }, other)
+        (Self { velocities, masses, node_forces, sums, ..self }, other)
     }
 
     fn both((): (), (): ()) {}
 }
 
-/// Of the three coordinates.
+/// The sum of the three coordinates.
 #[inline(always)]
 fn total<L: Lane<Real = f64>>(sum: Num<L>) -> f64 {
     let mut each = [0.0; 4];

@@ -1,9 +1,9 @@
 //! Third pass of dynamics: sums the forces on every node and moves it (paper 2.5), masses 1.
 
-use super::bounds::{Bounds, Watch, moved};
+use super::bounds::{Bounds, BoundsWatch, displaced};
 use super::gather::{gathered, rows};
 use super::isa::{Compute, Pass};
-use super::lane::{Mesh, Num};
+use super::lane::{GatherScatter, Num};
 use super::real::{Quad64, Real};
 use super::share::Cut;
 
@@ -14,7 +14,7 @@ pub(super) struct Euler<'a, R: Real> {
     pub(super) rows: &'a [u32],
     pub(super) slots: &'a [u32],
     pub(super) forces: &'a [R::Quad],
-    pub(super) places: &'a mut [Quad64],
+    pub(super) positions: &'a mut [Quad64],
     pub(super) velocities: &'a mut [R::Quad],
     pub(super) time_step: f64,
 }
@@ -23,31 +23,31 @@ impl<R: Real> Pass<R> for Euler<'_, R> {
     type Output = bool;
 
     #[inline(always)]
-    fn run<L: Mesh<Real = R>>(self, lane: L) -> bool {
-        let mut watch = Watch::new(lane, self.bounds);
+    fn run<L: GatherScatter<Real = R>>(self, lane: L) -> bool {
+        let mut watch = BoundsWatch::new(lane, self.bounds);
         let time_step = Num::splat(lane.node(), self.time_step);
-        let nodes = rows(self.rows, self.slots).zip(self.places).zip(self.velocities);
-        for ((slots, place), velocity) in nodes {
+        let nodes = rows(self.rows, self.slots).zip(self.positions).zip(self.velocities);
+        for ((slots, position), velocity) in nodes {
             let force = gathered(lane, slots, self.forces);
             let new = force.mul_add(time_step, Num { lane: lane.node(), raw: lane.load_node(*velocity) });
             *velocity = lane.store_node(new.raw);
-            let way = new * time_step;
-            watch.see(moved(lane, place, way), way);
+            let displacement = new * time_step;
+            watch.see(displaced(lane, position, displacement), displacement);
         }
-        watch.holds()
+        watch.in_bounds()
     }
 }
 
 impl<R: Compute> Cut<R> for Euler<'_, R> {
     fn elements(&self) -> usize {
-        self.places.len()
+        self.positions.len()
     }
 
     fn cut(self, at: usize) -> (Self, Self) {
-        let (places, other_places) = self.places.split_at_mut(at);
+        let (positions, other_positions) = self.positions.split_at_mut(at);
         let (velocities, other_velocities) = self.velocities.split_at_mut(at);
-        let other = Self { rows: &self.rows[at..], places: other_places, velocities: other_velocities, ..self };
-        (Self { places, velocities, ..self }, other)
+        let other = Self { rows: &self.rows[at..], positions: other_positions, velocities: other_velocities, ..self };
+        (Self { positions, velocities, ..self }, other)
     }
 
     fn both(one: bool, other: bool) -> bool {
@@ -63,7 +63,7 @@ pub(super) struct Verlet<'a, R: Real> {
     pub(super) rows: &'a [u32],
     pub(super) slots: &'a [u32],
     pub(super) forces: &'a [R::Quad],
-    pub(super) places: &'a mut [Quad64],
+    pub(super) positions: &'a mut [Quad64],
     pub(super) velocities: &'a mut [R::Quad],
     /// By node, those of the step before.
     pub(super) accelerations: &'a mut [R::Quad],
@@ -76,14 +76,14 @@ impl<R: Real> Pass<R> for Verlet<'_, R> {
     type Output = bool;
 
     #[inline(always)]
-    fn run<L: Mesh<Real = R>>(self, lane: L) -> bool {
-        let mut watch = Watch::new(lane, self.bounds);
+    fn run<L: GatherScatter<Real = R>>(self, lane: L) -> bool {
+        let mut watch = BoundsWatch::new(lane, self.bounds);
         let node = lane.node();
         let time_step = Num::splat(node, self.time_step);
         let half = Num::splat(node, 0.5 * self.time_step);
         let half_previous = Num::splat(node, 0.5 * self.previous_step);
-        let nodes = rows(self.rows, self.slots).zip(self.places).zip(self.velocities);
-        for (((slots, place), velocity), acceleration) in nodes.zip(self.accelerations) {
+        let nodes = rows(self.rows, self.slots).zip(self.positions).zip(self.velocities);
+        for (((slots, position), velocity), acceleration) in nodes.zip(self.accelerations) {
             let force = gathered(lane, slots, self.forces);
             let before = Num { lane: node, raw: lane.load_node(*acceleration) };
             let old = Num { lane: node, raw: lane.load_node(*velocity) };
@@ -91,30 +91,30 @@ impl<R: Real> Pass<R> for Verlet<'_, R> {
             let midway = force.mul_add(half, arrived);
             *velocity = lane.store_node(force.mul_add(half, midway).raw);
             *acceleration = lane.store_node(force.raw);
-            let way = midway * time_step;
-            watch.see(moved(lane, place, way), way);
+            let displacement = midway * time_step;
+            watch.see(displaced(lane, position, displacement), displacement);
         }
-        watch.holds()
+        watch.in_bounds()
     }
 }
 
 impl<R: Compute> Cut<R> for Verlet<'_, R> {
     fn elements(&self) -> usize {
-        self.places.len()
+        self.positions.len()
     }
 
     fn cut(self, at: usize) -> (Self, Self) {
-        let (places, other_places) = self.places.split_at_mut(at);
+        let (positions, other_positions) = self.positions.split_at_mut(at);
         let (velocities, other_velocities) = self.velocities.split_at_mut(at);
         let (accelerations, other_accelerations) = self.accelerations.split_at_mut(at);
         let other = Self {
             rows: &self.rows[at..],
-            places: other_places,
+            positions: other_positions,
             velocities: other_velocities,
             accelerations: other_accelerations,
             ..self
         };
-        (Self { places, velocities, accelerations, ..self }, other)
+        (Self { positions, velocities, accelerations, ..self }, other)
     }
 
     fn both(one: bool, other: bool) -> bool {

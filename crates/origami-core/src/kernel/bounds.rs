@@ -1,6 +1,6 @@
-//! Whether nodes are where they can be: looked at in passing, coordinate by coordinate.
+//! Checks that no node leaves its bounds, coordinate by coordinate, while the nodes are moved.
 
-use super::lane::{Mask, Mesh, Num};
+use super::lane::{GatherScatter, Mask, Num};
 use super::real::Quad64;
 
 /// How far nodes may be, and move in one step; in radii.
@@ -10,44 +10,53 @@ pub(crate) struct Bounds {
     pub(crate) longest_move: f64,
 }
 
-/// Sees whether coordinates are so small that the vectors are in bounds.
+/// Notes whether all coordinates seen so far are small enough for their vectors to be in bounds.
 #[derive(Clone, Copy)]
-pub(super) struct Watch<L: Mesh> {
-    farthest: Num<L::Place>,
+pub(super) struct BoundsWatch<L: GatherScatter> {
+    farthest: Num<L::Position>,
     longest_move: Num<L::Node>,
-    places_hold: Mask<L::Place>,
-    moves_hold: Mask<L::Node>,
+    positions_in_bounds: Mask<L::Position>,
+    moves_in_bounds: Mask<L::Node>,
 }
 
-impl<L: Mesh> Watch<L> {
+impl<L: GatherScatter> BoundsWatch<L> {
     #[inline(always)]
     pub(super) fn new(lane: L, bounds: Bounds) -> Self {
         let share = 1.0 / 3.0_f64.sqrt();
-        let farthest = Num::splat(lane.place(), share * bounds.farthest);
+        let farthest = Num::splat(lane.position(), share * bounds.farthest);
         let longest_move = Num::splat(lane.node(), share * bounds.longest_move);
-        let (no_place, no_move) = (Num::splat(lane.place(), 0.0), Num::splat(lane.node(), 0.0));
-        Self { farthest, longest_move, places_hold: no_place.less(farthest), moves_hold: no_move.less(longest_move) }
+        let (no_position, no_move) = (Num::splat(lane.position(), 0.0), Num::splat(lane.node(), 0.0));
+        Self {
+            farthest,
+            longest_move,
+            positions_in_bounds: no_position.less(farthest),
+            moves_in_bounds: no_move.less(longest_move),
+        }
     }
 
-    /// Sees a node that moved by `moved` and is now at `place`. What is not a number does not hold.
+    /// Takes note of a node that moved by `moved` and is now at `position`.
     #[inline(always)]
-    pub(super) fn see(&mut self, place: Num<L::Place>, moved: Num<L::Node>) {
-        self.places_hold = self.places_hold & place.abs().less(self.farthest);
-        self.moves_hold = self.moves_hold & moved.abs().less(self.longest_move);
+    pub(super) fn see(&mut self, position: Num<L::Position>, moved: Num<L::Node>) {
+        self.positions_in_bounds = self.positions_in_bounds & position.abs().less(self.farthest);
+        self.moves_in_bounds = self.moves_in_bounds & moved.abs().less(self.longest_move);
     }
 
-    /// Whether all that it saw are surely in bounds.
+    /// True only if every node seen is certainly in bounds; NaN counts as out of bounds.
     #[inline(always)]
-    pub(super) fn holds(self) -> bool {
-        self.places_hold.all() && self.moves_hold.all()
+    pub(super) fn in_bounds(self) -> bool {
+        self.positions_in_bounds.all() && self.moves_in_bounds.all()
     }
 }
 
-/// Moves a node.
+/// Moves a node by `displacement`; the result is its new position.
 #[inline(always)]
-pub(super) fn moved<L: Mesh>(lane: L, place: &mut Quad64, way: Num<L::Node>) -> Num<L::Place> {
-    let new =
-        Num { lane: lane.place(), raw: lane.load_place(*place) } + Num { lane: lane.place(), raw: lane.widen(way.raw) };
-    *place = lane.store_place(new.raw);
+pub(super) fn displaced<L: GatherScatter>(
+    lane: L,
+    position: &mut Quad64,
+    displacement: Num<L::Node>,
+) -> Num<L::Position> {
+    let new = Num { lane: lane.position(), raw: lane.load_position(*position) }
+        + Num { lane: lane.position(), raw: lane.widen(displacement.raw) };
+    *position = lane.store_position(new.raw);
     new
 }

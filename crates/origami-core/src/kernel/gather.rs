@@ -1,11 +1,11 @@
 //! Sums what lies in the slots of a node, in fixed order: the same bits in every run.
 
-use super::lane::{Mesh, Num};
+use super::lane::{GatherScatter, Num};
 use super::real::Real;
 
 /// The sum of the forces in `slots`.
 #[inline(always)]
-pub(super) fn gathered<L: Mesh>(lane: L, slots: &[u32], forces: &[<L::Real as Real>::Quad]) -> Num<L::Node> {
+pub(super) fn gathered<L: GatherScatter>(lane: L, slots: &[u32], forces: &[<L::Real as Real>::Quad]) -> Num<L::Node> {
     let node = lane.node();
     let mut sum = Num::splat(node, 0.0);
     for slot in slots {

@@ -2,7 +2,7 @@
 
 use std::marker::PhantomData;
 
-use super::lane::Mesh;
+use super::lane::GatherScatter;
 use super::lanes::portable::{FUSES, Portable};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::x86::{D4, D8, S8, S16};
@@ -52,7 +52,7 @@ impl Isa {
 pub(crate) trait Pass<R: Real> {
     type Output;
 
-    fn run<L: Mesh<Real = R>>(self, lane: L) -> Self::Output;
+    fn run<L: GatherScatter<Real = R>>(self, lane: L) -> Self::Output;
 }
 
 /// Numbers for which there are lanes.
@@ -66,7 +66,7 @@ pub(crate) trait Compute: Real {
 struct With<L, P>(L, P);
 
 #[cfg(target_arch = "x86_64")]
-impl<L: Mesh, P: Pass<L::Real>> pulp::NullaryFnOnce for With<L, P> {
+impl<L: GatherScatter, P: Pass<L::Real>> pulp::NullaryFnOnce for With<L, P> {
     type Output = P::Output;
 
     #[inline(always)]

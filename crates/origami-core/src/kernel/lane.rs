@@ -5,13 +5,13 @@ use std::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 use super::real::Real;
 
-/// Some numbers of one kind and all that an instruction set does with them. Every operation is element by element, so
-/// that results do not depend on how many there are.
+/// Numbers of one kind side by side, and what an instruction set does with them. Every operation is element by element, so
+/// results do not depend on how many there are.
 pub(crate) trait Lane: Copy {
     type Real: Real;
     type Raw: Copy;
     type Mask: Copy;
-    /// How many there are.
+    /// How many numbers lie side by side.
     const WIDTH: usize;
 
     fn splat(self, x: Self::Real) -> Self::Raw;
@@ -39,29 +39,34 @@ pub(crate) trait Lane: Copy {
     fn select(self, mask: Self::Mask, yes: Self::Raw, no: Self::Raw) -> Self::Raw;
 }
 
-/// A lane that knows its way between nodes and elements: elements lie side by side, nodes one after the other.
-pub(crate) trait Mesh: Lane {
+/// A lane that gathers from nodes, which lie one after the other, into elements side by side, and scatters back.
+pub(crate) trait GatherScatter: Lane {
     /// Coordinates of one node, in the numbers of the springs; the fourth is 0.
     type Node: Lane<Real = Self::Real>;
-    /// A place of one node.
-    type Place: Lane<Real = f64>;
+    /// The position of one node.
+    type Position: Lane<Real = f64>;
 
     fn node(self) -> Self::Node;
-    fn place(self) -> Self::Place;
+    fn position(self) -> Self::Position;
     fn load_node(self, from: <Self::Real as Real>::Quad) -> <Self::Node as Lane>::Raw;
     fn store_node(self, raw: <Self::Node as Lane>::Raw) -> <Self::Real as Real>::Quad;
-    fn load_place(self, from: <f64 as Real>::Quad) -> <Self::Place as Lane>::Raw;
-    fn store_place(self, raw: <Self::Place as Lane>::Raw) -> <f64 as Real>::Quad;
-    fn widen(self, raw: <Self::Node as Lane>::Raw) -> <Self::Place as Lane>::Raw;
+    fn load_position(self, from: <f64 as Real>::Quad) -> <Self::Position as Lane>::Raw;
+    fn store_position(self, raw: <Self::Position as Lane>::Raw) -> <f64 as Real>::Quad;
+    fn widen(self, raw: <Self::Node as Lane>::Raw) -> <Self::Position as Lane>::Raw;
 
-    /// The ways between nodes, `to - from`: differences are taken of f64, whatever the springs are computed in.
-    fn between(self, places: &[<f64 as Real>::Quad], from: &[u32], to: &[u32]) -> [Self::Raw; 3];
-    /// The differences of nodes' vectors, `to - from`.
-    fn apart(self, vectors: &[<Self::Real as Real>::Quad], from: &[u32], to: &[u32]) -> [Self::Raw; 3];
-    /// Numbers of other elements.
-    fn pick(self, values: &[Self::Real], at: &[u32]) -> Self::Raw;
-    /// Vectors one after the other; the fourth number of each is 0.
-    fn spread(self, vectors: [Self::Raw; 3], to: &mut [<Self::Real as Real>::Quad]);
+    /// Differences of nodes' positions, `to - from`: taken in f64, whatever the springs are computed in.
+    fn gather_differences(self, positions: &[<f64 as Real>::Quad], from: &[u32], to: &[u32]) -> [Self::Raw; 3];
+    /// Differences of nodes' velocities, `to - from`.
+    fn gather_velocity_differences(
+        self,
+        vectors: &[<Self::Real as Real>::Quad],
+        from: &[u32],
+        to: &[u32],
+    ) -> [Self::Raw; 3];
+    /// Numbers of the elements `at`.
+    fn gather(self, values: &[Self::Real], at: &[u32]) -> Self::Raw;
+    /// Writes vectors one after the other; the fourth number of each is 0.
+    fn scatter(self, vectors: [Self::Raw; 3], to: &mut [<Self::Real as Real>::Quad]);
 }
 
 /// Numbers side by side.

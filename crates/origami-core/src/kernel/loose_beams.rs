@@ -1,14 +1,14 @@
-//! Beams on edges outside any face: a pass that most scenes do not have.
+//! Beams on edges outside any triangle: a pass that most scenes do not have.
 
 use super::isa::Pass;
-use super::lane::{Mesh, Num, Vec3};
+use super::lane::{GatherScatter, Num, Vec3};
 use super::real::{Quad64, Real};
 use super::sheet::Sheet;
 
 /// Writes the forces on the two ends of each.
 pub(super) struct LooseBeams<'a, R: Real> {
     pub(super) sheet: &'a Sheet<R>,
-    pub(super) places: &'a [Quad64],
+    pub(super) positions: &'a [Quad64],
     /// Empty: no damping.
     pub(super) velocities: &'a [R::Quad],
     pub(super) slots: &'a mut [R::Quad],
@@ -18,7 +18,7 @@ impl<R: Real> Pass<R> for LooseBeams<'_, R> {
     type Output = ();
 
     #[inline(always)]
-    fn run<L: Mesh<Real = R>>(self, lane: L) {
+    fn run<L: GatherScatter<Real = R>>(self, lane: L) {
         let zero = Num::splat(lane, 0.0);
         let ends = self.sheet.loose_ends.chunks_exact(2 * L::WIDTH);
         let beams = self.sheet.loose_beams.chunks_exact(3 * L::WIDTH);
@@ -26,16 +26,17 @@ impl<R: Real> Pass<R> for LooseBeams<'_, R> {
         for ((ends, beam), slots) in ends.zip(beams).zip(slots) {
             let (from, to) = ends.split_at(L::WIDTH);
             let [rest, stiffness, damping] = [0, 1, 2].map(|i| Num::load(lane, &beam[i * L::WIDTH..]));
-            let along = Vec3::new(lane, lane.between(self.places, from, to));
+            let along = Vec3::new(lane, lane.gather_differences(self.positions, from, to));
             let length = along.dot(along).sqrt();
             let tension = stiffness * (length - rest) / length;
             let mut force = along * Num::splat(lane, R::LEAST).less(length).select(tension, zero);
             if !self.velocities.is_empty() {
-                force = Vec3::new(lane, lane.apart(self.velocities, from, to)).mul_add(damping, force);
+                force = Vec3::new(lane, lane.gather_velocity_differences(self.velocities, from, to))
+                    .mul_add(damping, force);
             }
             let (first, second) = slots.split_at_mut(L::WIDTH);
-            lane.spread(force.raw(), first);
-            lane.spread((-force).raw(), second);
+            lane.scatter(force.raw(), first);
+            lane.scatter((-force).raw(), second);
         }
     }
 }

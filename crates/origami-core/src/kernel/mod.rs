@@ -1,69 +1,70 @@
 //! The step on the processor as it is run: the springs of [`crate::forces`] in three passes, several elements side by side.
 //!
-//! *Edges* turn places into angles and moments, *faces* turn those into forces on their corners, *nodes* sum these and
-//! move. The GPU's shaders have the same passes under the same names. Each pass is written once, over a [`lane::Lane`], and
-//! compiled for each set of instructions. Places are always f64; the rest is f64 or, where [`Kernel`] is of f32, f32.
+//! [`fold_angles`] turns positions into fold angles and moments, [`triangle_forces`] turns those into forces on the corners
+//! of triangles; [`integrate`] sums these and moves the nodes, or, in a relaxation, [`reduce_forces`] and [`fire_move`]. The
+//! GPU's shaders have the same passes under the same names. Each pass is written once, over a [`lane::Lane`], and
+//! compiled for each set of instructions. Positions are always f64; the rest is f64 or, where [`Kernel`] is of f32, f32.
 //!
 //! Nothing depends on how many elements lie side by side: with products and sums rounded once, results have the same bits.
 
 mod angle;
 mod bounds;
-mod edges;
-mod faces;
+mod fire_move;
+mod fold_angles;
 mod gather;
+mod integrate;
 mod isa;
 mod lane;
 mod lanes;
 mod lookup;
 mod loose_beams;
-mod moves;
-mod nodes;
+mod parallelism;
 mod real;
+mod reduce_forces;
 mod share;
 mod sheet;
-mod team;
-mod weigh;
+mod triangle_forces;
 
 #[cfg(test)]
 mod tests;
 
 pub(crate) use bounds::Bounds;
+pub(crate) use fire_move::Decision;
 pub(crate) use isa::Compute;
-pub(crate) use moves::Decision;
-pub(crate) use weigh::Sums;
+pub(crate) use reduce_forces::Sums;
 
 use glam::DVec3;
 
 use crate::model::Model;
-use edges::Edges;
-use faces::{AtRest, Faces};
+use fire_move::FireMove;
+use fold_angles::FoldAngles;
+use integrate::{Euler, Verlet};
 use isa::Isa;
 use loose_beams::LooseBeams;
-use moves::Moves;
-use nodes::{Euler, Verlet};
+use parallelism::Parallelism;
 use real::{Quad64, Real};
+use reduce_forces::{BLOCK, ReduceForces};
 use sheet::Sheet;
-use team::Team;
-use weigh::{BLOCK, Weigh};
+use triangle_forces::{AtRest, TriangleForces};
 
 /// A sheet in motion.
 #[derive(Clone, Debug)]
 pub(crate) struct Kernel<R: Compute> {
     isa: Isa,
-    team: Team,
+    parallelism: Parallelism,
     bounds: Bounds,
     sheet: Sheet<R>,
-    places: Vec<Quad64>,
+    positions: Vec<Quad64>,
     velocities: Vec<R::Quad>,
     /// By crease.
     angles: Vec<R>,
     targets: Vec<R>,
     moments: Vec<R>,
-    /// The forces of faces and loose beams on their nodes.
+    /// The forces of triangles and loose beams on their nodes.
     slots: Vec<R::Quad>,
-    /// By node: forces, or the accelerations of the step before; empty until they are asked for.
+    /// By node: forces of a relaxation, or Verlet's accelerations of the step before; empty until a pass needs them.
     forces: Vec<R::Quad>,
-    /// By block of nodes, of a relaxation.
+    /// By block of nodes: FIRE's sums of a relaxation.
     sums: Vec<Sums>,
 }
 
@@ -92,20 +93,20 @@ impl<R: Compute> Kernel<R> {
         angles: &[f64],
     ) -> Self {
         let mut sheet = Sheet::new(model, R::width(isa), damped);
-        let at_rest = sheet.places(&model.rest);
+        let at_rest = sheet.padded_positions(&model.rest);
         let Sheet { corners, beams, angles: corner_angles, .. } = &mut sheet;
-        R::run(isa, AtRest { corners, places: &at_rest, beams, angles: corner_angles });
-        let places = sheet.places(positions);
+        R::run(isa, AtRest { corners, positions: &at_rest, beams, angles: corner_angles });
+        let positions = sheet.padded_positions(positions);
         let mut velocities: Vec<R::Quad> = velocities.iter().map(|v| R::quad_of(*v)).collect();
-        velocities.resize(places.len(), R::Quad::default());
+        velocities.resize(positions.len(), R::Quad::default());
         let creases = sheet.stiffness.len();
         let mut angles: Vec<R> = angles.iter().map(|angle| R::of(*angle)).collect();
         angles.resize(creases, R::default());
         Self {
             isa,
-            team: Team::new(threads),
+            parallelism: Parallelism::new(threads),
             bounds,
-            places,
+            positions,
             velocities,
             angles,
             targets: vec![R::default(); creases],
@@ -119,46 +120,54 @@ impl<R: Compute> Kernel<R> {
 
     /// Whether the passes are shared out among threads at present.
     pub(crate) fn shared(&self) -> bool {
-        self.team.parts() > 1
+        self.parallelism.tasks() > 1
     }
 
-    /// Asks the creases for `targets`, in radians.
-    pub(crate) fn aim(&mut self, targets: &[f64]) {
+    /// Sets the target angle of each crease, in radians.
+    pub(crate) fn set_targets(&mut self, targets: &[f64]) {
         for (own, target) in self.targets.iter_mut().zip(targets) {
             *own = R::of(*target);
         }
     }
 
-    /// First pass; the result is the most by which a crease turned since the last, in radians.
-    pub(crate) fn edges(&mut self) -> f64 {
-        self.team.step();
+    /// First pass: fold angles and moments. The result is the most by which a crease turned since the last, in radians.
+    pub(crate) fn fold_angles(&mut self) -> f64 {
+        self.parallelism.step();
         if self.sheet.stiffness.is_empty() {
             return 0.0;
         }
-        let Self { sheet: Sheet { hinges, stiffness, .. }, places, targets, angles, moments, .. } = self;
-        share::run::<R, _>(self.isa, Edges { places, hinges, stiffness, targets, angles, moments }, self.team.parts())
+        let Self { sheet: Sheet { hinges, stiffness, .. }, positions, targets, angles, moments, .. } = self;
+        share::run::<R, _>(
+            self.isa,
+            FoldAngles { positions, hinges, stiffness, targets, angles, moments },
+            self.parallelism.tasks(),
+        )
     }
 
     /// Second pass: forces of all springs, and of the damping if `damped`.
-    pub(crate) fn faces(&mut self, damped: bool) {
-        let Self { sheet, places, moments, .. } = self;
+    pub(crate) fn triangle_forces(&mut self, damped: bool) {
+        let Self { sheet, positions, moments, .. } = self;
         let velocities = if damped && sheet.damped { &self.velocities[..] } else { &[] };
         let (slots, loose) = self.slots.split_at_mut(sheet.corners.len());
-        share::run::<R, _>(self.isa, Faces { sheet, places, velocities, moments, first: 0, slots }, self.team.parts());
+        share::run::<R, _>(
+            self.isa,
+            TriangleForces { sheet, positions, velocities, moments, first: 0, slots },
+            self.parallelism.tasks(),
+        );
         if !loose.is_empty() {
-            R::run(self.isa, LooseBeams { sheet, places, velocities, slots: loose });
+            R::run(self.isa, LooseBeams { sheet, positions, velocities, slots: loose });
         }
     }
 
     /// Third pass of dynamics, first order. False where a node may be out of bounds.
     pub(crate) fn euler(&mut self, time_step: f64) -> bool {
         let nodes = self.sheet.nodes;
-        let (places, velocities) = (&mut self.places[..nodes], &mut self.velocities[..nodes]);
+        let (positions, velocities) = (&mut self.positions[..nodes], &mut self.velocities[..nodes]);
         let Self { sheet: Sheet { rows, slots, .. }, slots: forces, bounds, .. } = self;
         share::run::<R, _>(
             self.isa,
-            Euler { bounds: *bounds, rows, slots, forces, places, velocities, time_step },
-            self.team.parts(),
+            Euler { bounds: *bounds, rows, slots, forces, positions, velocities, time_step },
+            self.parallelism.tasks(),
         )
     }
 
@@ -167,59 +176,64 @@ impl<R: Compute> Kernel<R> {
         let nodes = self.sheet.nodes;
         self.forces.resize(nodes, R::Quad::default());
         let Self { sheet: Sheet { rows, slots, .. }, slots: forces, forces: accelerations, bounds, .. } = self;
-        let (places, velocities) = (&mut self.places[..nodes], &mut self.velocities[..nodes]);
+        let (positions, velocities) = (&mut self.positions[..nodes], &mut self.velocities[..nodes]);
         let bounds = *bounds;
-        let pass = Verlet { bounds, rows, slots, forces, places, velocities, accelerations, time_step, previous_step };
-        share::run::<R, _>(self.isa, pass, self.team.parts())
+        let pass =
+            Verlet { bounds, rows, slots, forces, positions, velocities, accelerations, time_step, previous_step };
+        share::run::<R, _>(self.isa, pass, self.parallelism.tasks())
     }
 
-    /// Third pass of a relaxation; `masses` are by node, with their inverses.
-    pub(crate) fn weigh(&mut self, masses: &[[f64; 2]]) -> Sums {
+    /// Third pass of a relaxation: sums the forces on each node. `masses` are by node, with their inverses.
+    pub(crate) fn reduce_forces(&mut self, masses: &[[f64; 2]]) -> Sums {
         let nodes = self.sheet.nodes;
         self.forces.resize(nodes, R::Quad::default());
         self.sums.resize(nodes.div_ceil(BLOCK), Sums::default());
-        let Self { sheet: Sheet { rows, slots, .. }, slots: forces, forces: kept, sums, .. } = self;
+        let Self { sheet: Sheet { rows, slots, .. }, slots: forces, forces: node_forces, sums, .. } = self;
         let velocities = &self.velocities[..nodes];
-        share::run::<R, _>(self.isa, Weigh { rows, slots, forces, velocities, masses, kept, sums }, self.team.parts());
+        share::run::<R, _>(
+            self.isa,
+            ReduceForces { rows, slots, forces, velocities, masses, node_forces, sums },
+            self.parallelism.tasks(),
+        );
         Sums::of(&self.sums)
     }
 
-    /// Last pass of a relaxation. False where a node may be out of bounds.
-    pub(crate) fn moves(&mut self, masses: &[[f64; 2]], decision: Decision) -> bool {
+    /// Last pass of a relaxation: moves the nodes. False where a node may be out of bounds.
+    pub(crate) fn fire_move(&mut self, masses: &[[f64; 2]], decision: Decision) -> bool {
         let nodes = self.sheet.nodes;
         let Self { forces, bounds, .. } = self;
-        let (places, velocities) = (&mut self.places[..nodes], &mut self.velocities[..nodes]);
-        let pass = Moves { decision, bounds: *bounds, forces, masses, places, velocities };
-        share::run::<R, _>(self.isa, pass, self.team.parts())
+        let (positions, velocities) = (&mut self.positions[..nodes], &mut self.velocities[..nodes]);
+        let pass = FireMove { decision, bounds: *bounds, forces, masses, positions, velocities };
+        share::run::<R, _>(self.isa, pass, self.parallelism.tasks())
     }
 
-    /// Where the nodes are.
+    /// Writes the positions of the nodes, in radii.
     pub(crate) fn read_positions(&self, positions: &mut Vec<DVec3>) {
         positions.clear();
-        positions.extend(self.places[..self.sheet.nodes].iter().map(|quad| f64::vector(*quad)));
+        positions.extend(self.positions[..self.sheet.nodes].iter().map(|quad| f64::vector(*quad)));
     }
 
-    /// How they move.
+    /// Writes the velocities of the nodes.
     pub(crate) fn read_velocities(&self, velocities: &mut Vec<DVec3>) {
         velocities.clear();
         velocities.extend(self.velocities[..self.sheet.nodes].iter().map(|quad| R::vector(*quad)));
     }
 
-    /// The fold angles; `angles` has one for each crease.
+    /// Writes the fold angles, in radians; `angles` has one for each crease.
     pub(crate) fn read_angles(&self, angles: &mut [f64]) {
         for (angle, own) in angles.iter_mut().zip(&self.angles) {
             *angle = own.to_f64();
         }
     }
 
-    /// What the second pass did to the nodes.
+    /// Writes the forces on the nodes, as the second pass has left them.
     pub(crate) fn read_forces(&self, forces: &mut Vec<DVec3>) {
         forces.clear();
         let sum = |slots: &[u32]| slots.iter().map(|slot| R::vector(self.slots[*slot as usize])).sum::<DVec3>();
         forces.extend(gather::rows(&self.sheet.rows, &self.sheet.slots).map(sum));
     }
 
-    /// The accelerations of the last step of [`Kernel::verlet`].
+    /// Writes the accelerations of the last step of [`Kernel::verlet`].
     pub(crate) fn read_accelerations(&self, accelerations: &mut Vec<DVec3>) {
         accelerations.clear();
         accelerations.extend(self.forces.iter().map(|quad| R::vector(*quad)));

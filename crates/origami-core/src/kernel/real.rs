@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
-/// The numbers in which springs are computed: f64, or f32 where places alone are f64.
+/// The numbers in which springs are computed: f64, or f32 where positions alone are f64.
 pub(crate) trait Real: Copy + Default + Debug + Send + Sync + 'static {
     /// Three coordinates and a 0, aligned so that they are read at once.
     type Quad: Copy + Default + Debug + Send + Sync;

@@ -9,7 +9,8 @@ use crate::model::Model;
 use super::lookup::fill;
 use super::real::{Quad64, Real};
 
-/// All about a model that the passes need and that never changes. What the model does not have is an empty list.
+/// Everything about a model that the passes need and that never changes. A list is empty where the model has nothing of its
+/// kind.
 ///
 /// Elements are filled up to whole chunks with ones on nodes of their own, which form a sound hinge and pull at nothing.
 #[derive(Clone, Debug)]
@@ -19,23 +20,23 @@ pub(super) struct Sheet<R> {
     pub(super) hinges: Vec<u32>,
     /// By crease.
     pub(super) stiffness: Vec<R>,
-    /// By chunk of faces: the three corners.
+    /// By chunk of triangles: the three corners.
     pub(super) corners: Vec<u32>,
-    /// By chunk of faces: the creases on the sides 0-1, 1-2 and 2-0.
+    /// By chunk of triangles: the creases on the sides 0-1, 1-2 and 2-0.
     pub(super) creases: Vec<u32>,
-    /// By chunk of faces: the rest lengths of the sides, then the stiffness of each one's share of the beam.
+    /// By chunk of triangles: the rest lengths of the sides, then the stiffness of each one's share of the beam.
     pub(super) beams: Vec<R>,
-    /// By chunk of faces: each side's share of the damping.
+    /// By chunk of triangles: each side's share of the damping.
     pub(super) damping: Vec<R>,
-    /// By chunk of faces: cosine and sine of the first angle at rest and of the second.
+    /// By chunk of triangles: cosine and sine of the first angle at rest and of the second.
     pub(super) angles: Vec<R>,
-    /// By chunk of beams outside any face: their two ends.
+    /// By chunk of beams outside any triangle: their two ends.
     pub(super) loose_ends: Vec<u32>,
-    /// The same: rest length, stiffness, damping.
+    /// By the same chunks: rest length, stiffness, damping.
     pub(super) loose_beams: Vec<R>,
     /// The first slot of each node in `slots`, and the end of the last.
     pub(super) rows: Vec<u32>,
-    /// Where the forces on each node lie; nothing is gathered for one that is fixed.
+    /// Where the forces on each node lie. A fixed node has no slots.
     pub(super) slots: Vec<u32>,
     pub(super) k_face: f64,
     pub(super) damped: bool,
@@ -45,13 +46,13 @@ pub(super) struct Sheet<R> {
 const DUMMY: [[f64; 4]; 4] = [[0.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 0.0]];
 
 impl<R: Real> Sheet<R> {
-    /// Of `model`, `width` elements side by side; with its damping, if it has any, where the motion is `damped`.
+    /// Lays `model` out with `width` elements side by side; with its damping, if it has any, where the motion is `damped`.
     pub(super) fn new(model: &Model, width: usize, damped: bool) -> Self {
         let nodes = model.node_count();
-        // Of the nodes after the sheet's own.
+        // The nodes of the filling come after those of the sheet.
         let dummy = |i: usize| NodeId::new(nodes + i).0;
         let no_hinge = [dummy(2), dummy(3), dummy(0), dummy(1)];
-        // At least one of them is no crease: the one of sides that have none.
+        // At least one place is left over: sides without a crease refer to the first one after the last crease.
         let creases = if model.creases.is_empty() { 0 } else { (model.creases.len() + 1).next_multiple_of(width) };
         let hinges = model.creases.iter().map(|crease| crease.nodes.map(|n| n.0));
         let mut stiffness: Vec<R> = model.creases.iter().map(|crease| R::of(crease.stiffness)).collect();
@@ -88,7 +89,7 @@ impl<R: Real> Sheet<R> {
         sheet
     }
 
-    /// Takes what lies on the sides of the triangles.
+    /// Fills in the beams, creases and damping on the sides of the triangles.
     fn take_sides(&mut self, model: &Model, width: usize) {
         let mut crease_of_side = vec![SideId::new(model.creases.len()).0; model.beams.len()];
         for (c, crease) in model.creases.iter().enumerate() {
@@ -97,33 +98,33 @@ impl<R: Real> Sheet<R> {
         let beams = model.beams.iter().zip(damping::coefficients(model)).zip(crease_of_side);
         for (side, ((beam, damping), crease)) in model.mesh.sides.iter().zip(beams) {
             let triangles = side.triangles.iter().flatten();
-            // Two faces do half of a beam each.
+            // Each of two triangles does half of the beam between them.
             let part = 1.0 / triangles.clone().count() as f64;
             for triangle in triangles {
                 let (t, corners) = (triangle.index(), &model.mesh.triangles[triangle.index()]);
-                let place =
+                let corner =
                     (0..3).find(|i| side.nodes.contains(&corners[*i]) && side.nodes.contains(&corners[(i + 1) % 3]));
-                let place = place.expect("a side of a triangle joins two of its corners");
-                self.beams[at(width, t, (place, 6))] = R::of(beam.rest_length);
-                self.beams[at(width, t, (3 + place, 6))] = R::of(part * beam.stiffness);
+                let corner = corner.expect("a side of a triangle joins two of its corners");
+                self.beams[at(width, t, (corner, 6))] = R::of(beam.rest_length);
+                self.beams[at(width, t, (3 + corner, 6))] = R::of(part * beam.stiffness);
                 if !self.creases.is_empty() {
-                    self.creases[at(width, t, (place, 3))] = crease;
+                    self.creases[at(width, t, (corner, 3))] = crease;
                 }
                 if !self.damping.is_empty() {
-                    self.damping[at(width, t, (place, 3))] = R::of(part * damping);
+                    self.damping[at(width, t, (corner, 3))] = R::of(part * damping);
                 }
             }
         }
     }
 
-    /// The places of all nodes, and of those of the filling, to be looked up.
-    pub(super) fn places(&self, positions: &[glam::DVec3]) -> Vec<Quad64> {
-        let mut places: Vec<Quad64> = positions.iter().map(|p| f64::quad_of(*p)).chain(DUMMY.map(Quad64)).collect();
-        fill(&mut places);
-        places
+    /// The positions of all nodes, then those of the filling: as many as [`lookup::item`](super::lookup::item) needs.
+    pub(super) fn padded_positions(&self, positions: &[glam::DVec3]) -> Vec<Quad64> {
+        let mut padded: Vec<Quad64> = positions.iter().map(|p| f64::quad_of(*p)).chain(DUMMY.map(Quad64)).collect();
+        fill(&mut padded);
+        padded
     }
 
-    /// How many vectors faces and loose beams write.
+    /// How many vectors triangles and loose beams write.
     pub(super) fn slot_count(&self) -> usize {
         self.corners.len() + self.loose_ends.len()
     }
@@ -134,7 +135,7 @@ fn at(width: usize, e: usize, (field, fields): (usize, usize)) -> usize {
     (e / width * fields + field) * width + e % width
 }
 
-/// So many elements laid out so: `elements`, then as many of `filling` as there is room for.
+/// `count` elements in this layout: `elements`, then as many copies of `filling` as there is room for.
 fn chunks<T: Copy, const FIELDS: usize>(
     width: usize,
     count: usize,
@@ -164,7 +165,7 @@ fn angles<R: Real>(model: &Model, width: usize) -> Vec<R> {
     angles
 }
 
-/// A beam outside any face: its ends; rest length, stiffness and damping.
+/// A beam outside any triangle: its ends; rest length, stiffness and damping.
 type Loose = ([u32; 2], [f64; 3]);
 
 fn loose(model: &Model) -> impl Iterator<Item = Loose> {
@@ -173,7 +174,7 @@ fn loose(model: &Model) -> impl Iterator<Item = Loose> {
     loose.map(|((_, beam), damping)| (beam.nodes.map(|n| n.0), [beam.rest_length, beam.stiffness, damping]))
 }
 
-/// For each node the slots of its forces: those of faces in their order, then those of loose beams.
+/// For each node the slots of its forces: those of triangles in their order, then those of loose beams.
 fn slots(model: &Model, width: usize, loose: &[Loose]) -> (Vec<u32>, Vec<u32>) {
     let nodes = model.node_count();
     let triangles = model.mesh.triangles.iter().enumerate();

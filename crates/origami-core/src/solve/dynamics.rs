@@ -101,7 +101,7 @@ impl Dynamics {
         let damped = model.material.zeta > 0.0;
         let mut motion = Motion::<R>::new(model, start, moving, damped, self.tolerance, threads);
         let mut clock = Clock::new(self, model);
-        motion.kernel.aim(&ramp.targets);
+        motion.kernel.set_targets(&ramp.targets);
 
         let limit = self.steps.unwrap_or(self.max_steps);
         let mut steps = 0;
@@ -111,20 +111,20 @@ impl Dynamics {
             }
             if !ramp.done() {
                 ramp.advance();
-                motion.kernel.aim(&ramp.targets);
+                motion.kernel.set_targets(&ramp.targets);
             }
             let dt = clock.step(&mut motion, steps);
-            motion.kernel.edges();
+            motion.kernel.fold_angles();
             // Damping has no part in what tells how far it is to the equilibrium.
             let looks = ramp.done() && motion.settling.looks();
             if looks {
-                motion.kernel.faces(false);
+                motion.kernel.triangle_forces(false);
             }
             if ramp.done() && motion.settled() && self.steps.is_none() {
                 break Stop::Converged;
             }
             if damped || !looks {
-                motion.kernel.faces(damped);
+                motion.kernel.triangle_forces(damped);
             }
             steps += 1;
             let holds = match self.integrator {

@@ -57,8 +57,8 @@ impl Fire {
             self.masses.extend(self.sums.iter().map(|mass| [*mass, 1.0 / mass]));
         }
         self.evaluations += 1;
-        let decision = self.decide(motion.kernel.weigh(&self.masses));
-        motion.kernel.moves(&self.masses, decision)
+        let decision = self.decide(motion.kernel.reduce_forces(&self.masses));
+        motion.kernel.fire_move(&self.masses, decision)
     }
 
     fn decide(&mut self, Sums { power, speed, pull }: Sums) -> Decision {

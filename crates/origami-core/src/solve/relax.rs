@@ -220,7 +220,7 @@ impl Relax {
         let resting = (self.first_positions(model, start, percent), &[][..]);
         let mut motion = Motion::<R>::new(model, start, resting, false, self.tolerance, threads);
         let mut fire = Fire::new(model);
-        motion.kernel.aim(&ramp.targets);
+        motion.kernel.set_targets(&ramp.targets);
         let mut turned = 0.0;
 
         let mut steps = 0;
@@ -230,10 +230,10 @@ impl Relax {
             }
             if !ramp.done() && turned <= HOLD {
                 ramp.advance();
-                motion.kernel.aim(&ramp.targets);
+                motion.kernel.set_targets(&ramp.targets);
             }
-            turned = motion.kernel.edges();
-            motion.kernel.faces(false);
+            turned = motion.kernel.fold_angles();
+            motion.kernel.triangle_forces(false);
             steps += 1;
             if ramp.done() && motion.settled() && self.steps.is_none() {
                 break Stop::Converged;

@@ -1,6 +1,6 @@
 //! Four numbers in an array: right everywhere, and as fast as the compiler makes it.
 
-use crate::kernel::lane::{Lane, Mesh};
+use crate::kernel::lane::{GatherScatter, Lane};
 use crate::kernel::lookup::item;
 use crate::kernel::real::{Quad64, Real};
 
@@ -141,9 +141,9 @@ macro_rules! portable {
             }
         }
 
-        impl<const FUSED: bool> Mesh for Portable<$real, FUSED> {
+        impl<const FUSED: bool> GatherScatter for Portable<$real, FUSED> {
             type Node = Self;
-            type Place = Portable<f64, FUSED>;
+            type Position = Portable<f64, FUSED>;
 
             #[inline(always)]
             fn node(self) -> Self {
@@ -151,7 +151,7 @@ macro_rules! portable {
             }
 
             #[inline(always)]
-            fn place(self) -> Portable<f64, FUSED> {
+            fn position(self) -> Portable<f64, FUSED> {
                 Portable(std::marker::PhantomData)
             }
 
@@ -166,12 +166,12 @@ macro_rules! portable {
             }
 
             #[inline(always)]
-            fn load_place(self, from: Quad64) -> [f64; 4] {
+            fn load_position(self, from: Quad64) -> [f64; 4] {
                 from.0
             }
 
             #[inline(always)]
-            fn store_place(self, raw: [f64; 4]) -> Quad64 {
+            fn store_position(self, raw: [f64; 4]) -> Quad64 {
                 Quad64(raw)
             }
 
@@ -181,36 +181,41 @@ macro_rules! portable {
             }
 
             #[inline(always)]
-            fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [[$real; 4]; 3] {
-                let mut ways = [[0.0; 4]; 3];
+            fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [[$real; 4]; 3] {
+                let mut differences = [[0.0; 4]; 3];
                 for i in 0..4 {
-                    let (from, to) = (item(places, from[i]).0, item(places, to[i]).0);
+                    let (from, to) = (item(positions, from[i]).0, item(positions, to[i]).0);
                     for c in 0..3 {
-                        ways[c][i] = <$real>::of(to[c] - from[c]);
+                        differences[c][i] = <$real>::of(to[c] - from[c]);
                     }
                 }
-                ways
+                differences
             }
 
             #[inline(always)]
-            fn apart(self, vectors: &[<$real as Real>::Quad], from: &[u32], to: &[u32]) -> [[$real; 4]; 3] {
-                let mut ways = [[0.0; 4]; 3];
+            fn gather_velocity_differences(
+                self,
+                vectors: &[<$real as Real>::Quad],
+                from: &[u32],
+                to: &[u32],
+            ) -> [[$real; 4]; 3] {
+                let mut differences = [[0.0; 4]; 3];
                 for i in 0..4 {
                     let (from, to) = (item(vectors, from[i]).0, item(vectors, to[i]).0);
                     for c in 0..3 {
-                        ways[c][i] = to[c] - from[c];
+                        differences[c][i] = to[c] - from[c];
                     }
                 }
-                ways
+                differences
             }
 
             #[inline(always)]
-            fn pick(self, values: &[$real], at: &[u32]) -> [$real; 4] {
+            fn gather(self, values: &[$real], at: &[u32]) -> [$real; 4] {
                 [item(values, at[0]), item(values, at[1]), item(values, at[2]), item(values, at[3])]
             }
 
             #[inline(always)]
-            fn spread(self, [x, y, z]: [[$real; 4]; 3], to: &mut [<$real as Real>::Quad]) {
+            fn scatter(self, [x, y, z]: [[$real; 4]; 3], to: &mut [<$real as Real>::Quad]) {
                 for i in 0..4 {
                     to[i] = <$real>::quad([x[i], y[i], z[i], 0.0]);
                 }

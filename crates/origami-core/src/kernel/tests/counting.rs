@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use crate::kernel::lane::{Lane, Mesh};
+use crate::kernel::lane::{GatherScatter, Lane};
 use crate::kernel::real::{Quad64, Real};
 
 /// What was done, number by number.
@@ -100,16 +100,16 @@ impl<L: Lane> Lane for Counting<L> {
     }
 }
 
-impl<L: Mesh> Mesh for Counting<L> {
+impl<L: GatherScatter> GatherScatter for Counting<L> {
     type Node = Counting<L::Node>;
-    type Place = Counting<L::Place>;
+    type Position = Counting<L::Position>;
 
     fn node(self) -> Self::Node {
         Counting(self.0.node())
     }
 
-    fn place(self) -> Self::Place {
-        Counting(self.0.place())
+    fn position(self) -> Self::Position {
+        Counting(self.0.position())
     }
 
     fn load_node(self, from: <L::Real as Real>::Quad) -> <L::Node as Lane>::Raw {
@@ -120,33 +120,33 @@ impl<L: Mesh> Mesh for Counting<L> {
         self.0.store_node(raw)
     }
 
-    fn load_place(self, from: Quad64) -> <L::Place as Lane>::Raw {
-        self.0.load_place(from)
+    fn load_position(self, from: Quad64) -> <L::Position as Lane>::Raw {
+        self.0.load_position(from)
     }
 
-    fn store_place(self, raw: <L::Place as Lane>::Raw) -> Quad64 {
-        self.0.store_place(raw)
+    fn store_position(self, raw: <L::Position as Lane>::Raw) -> Quad64 {
+        self.0.store_position(raw)
     }
 
-    fn widen(self, raw: <L::Node as Lane>::Raw) -> <L::Place as Lane>::Raw {
+    fn widen(self, raw: <L::Node as Lane>::Raw) -> <L::Position as Lane>::Raw {
         self.0.widen(raw)
     }
 
-    fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [L::Raw; 3] {
+    fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [L::Raw; 3] {
         self.note(|counts, width| counts.flops += 3 * width);
-        self.0.between(places, from, to)
+        self.0.gather_differences(positions, from, to)
     }
 
-    fn apart(self, vectors: &[<L::Real as Real>::Quad], from: &[u32], to: &[u32]) -> [L::Raw; 3] {
+    fn gather_velocity_differences(self, vectors: &[<L::Real as Real>::Quad], from: &[u32], to: &[u32]) -> [L::Raw; 3] {
         self.note(|counts, width| counts.flops += 3 * width);
-        self.0.apart(vectors, from, to)
+        self.0.gather_velocity_differences(vectors, from, to)
     }
 
-    fn pick(self, values: &[L::Real], at: &[u32]) -> L::Raw {
-        self.0.pick(values, at)
+    fn gather(self, values: &[L::Real], at: &[u32]) -> L::Raw {
+        self.0.gather(values, at)
     }
 
-    fn spread(self, vectors: [L::Raw; 3], to: &mut [<L::Real as Real>::Quad]) {
-        self.0.spread(vectors, to);
+    fn scatter(self, vectors: [L::Raw; 3], to: &mut [<L::Real as Real>::Quad]) {
+        self.0.scatter(vectors, to);
     }
 }

@@ -7,7 +7,7 @@ use std::time::Instant;
 use super::counting::{Counts, count};
 use super::{Compute, Isa, Kernel, Material, Model, Scene};
 use crate::kernel::isa::Pass;
-use crate::kernel::lane::{Mesh, Num};
+use crate::kernel::lane::{GatherScatter, Num};
 use crate::kernel::real::Quad64;
 
 fn miura(panels: usize, material: &Material) -> Scene {
@@ -16,8 +16,8 @@ fn miura(panels: usize, material: &Material) -> Scene {
 }
 
 fn step<R: Compute>(kernel: &mut Kernel<R>, damped: bool) {
-    kernel.edges();
-    kernel.faces(damped);
+    kernel.fold_angles();
+    kernel.triangle_forces(damped);
     kernel.euler(1e-9);
 }
 
@@ -58,11 +58,11 @@ fn bytes<R: Compute>(kernel: &Kernel<R>) -> usize {
         size_of_val(list)
     }
     let sheet = &kernel.sheet;
-    let (places, velocities) = (&kernel.places[..sheet.nodes], &kernel.velocities[..sheet.nodes]);
-    let edges = of(places) + of(&sheet.hinges) + of(&sheet.stiffness) + of(&kernel.targets) + 3 * of(&kernel.angles);
-    let read = of(places) + of(velocities) + of(&sheet.corners) + of(&sheet.creases) + of(&kernel.angles);
+    let (positions, velocities) = (&kernel.positions[..sheet.nodes], &kernel.velocities[..sheet.nodes]);
+    let edges = of(positions) + of(&sheet.hinges) + of(&sheet.stiffness) + of(&kernel.targets) + 3 * of(&kernel.angles);
+    let read = of(positions) + of(velocities) + of(&sheet.corners) + of(&sheet.creases) + of(&kernel.angles);
     let springs = of(&sheet.beams) + of(&sheet.damping) + of(&sheet.angles);
-    let nodes = of(&sheet.rows) + of(&sheet.slots) + 2 * of(places) + 2 * of(velocities);
+    let nodes = of(&sheet.rows) + of(&sheet.slots) + 2 * of(positions) + 2 * of(velocities);
     edges + read + springs + 2 * of(&kernel.slots) + nodes
 }
 
@@ -79,7 +79,7 @@ impl<R: Compute> Pass<R> for Chains<R> {
     type Output = R;
 
     #[inline(always)]
-    fn run<L: Mesh<Real = R>>(self, lane: L) -> R {
+    fn run<L: GatherScatter<Real = R>>(self, lane: L) -> R {
         let mut chains = [Num::of(lane, self.start); CHAINS];
         let (a, b) = (Num::splat(lane, 0.999), Num::splat(lane, 1e-3));
         for _ in 0..self.times {
@@ -104,7 +104,7 @@ impl Pass<f64> for Reads<'_> {
     type Output = f64;
 
     #[inline(always)]
-    fn run<L: Mesh<Real = f64>>(self, lane: L) -> f64 {
+    fn run<L: GatherScatter<Real = f64>>(self, lane: L) -> f64 {
         let numbers: &[f64] = bytemuck::cast_slice(self.0);
         let mut sums = [Num::splat(lane, 0.0); 4];
         for chunk in numbers.chunks_exact(4 * L::WIDTH) {

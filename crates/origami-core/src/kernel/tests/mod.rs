@@ -74,14 +74,14 @@ impl Scene {
             &self.velocities,
             &self.angles,
         );
-        kernel.aim(&self.targets);
+        kernel.set_targets(&self.targets);
         kernel
     }
 
     fn fast<R: Compute>(&self, isa: Isa, damped: bool) -> (Vec<DVec3>, Vec<f64>) {
         let mut kernel = self.kernel::<R>(isa);
-        kernel.edges();
-        kernel.faces(damped);
+        kernel.fold_angles();
+        kernel.triangle_forces(damped);
         let (mut forces, mut angles) = (Vec::new(), self.angles.clone());
         kernel.read_forces(&mut forces);
         kernel.read_angles(&mut angles);
@@ -223,8 +223,8 @@ fn plain_steps(scene: &Scene, time_step: f64) -> Vec<DVec3> {
 fn steps<R: Compute>(scene: &Scene, isa: Isa, time_step: f64) -> Vec<DVec3> {
     let mut kernel = scene.kernel::<R>(isa);
     for _ in 0..100 {
-        kernel.edges();
-        kernel.faces(true);
+        kernel.fold_angles();
+        kernel.triangle_forces(true);
         assert!(kernel.euler(time_step), "out of bounds");
     }
     let mut positions = Vec::new();
@@ -260,27 +260,27 @@ fn a_hundred_steps_agree_and_do_not_depend_on_the_width() {
     }
 }
 
-/// The bits of what a kernel does, step by step, its passes cut into so many parts.
-fn bits<R: Compute>(scene: &Scene, parts: usize, verlet: bool) -> (Vec<DVec3>, Vec<f64>, Vec<f64>) {
-    let mut kernel = scene.shared::<R>(Isa::best(), parts);
-    kernel.team = super::Team::steady(parts);
+/// The bits of what a kernel does, step by step, its passes cut into so many tasks.
+fn bits<R: Compute>(scene: &Scene, tasks: usize, verlet: bool) -> (Vec<DVec3>, Vec<f64>, Vec<f64>) {
+    let mut kernel = scene.shared::<R>(Isa::best(), tasks);
+    kernel.parallelism = super::Parallelism::steady(tasks);
     let masses = vec![[2.0, 0.5]; scene.positions.len()];
-    let (mut positions, mut angles, mut told) = (Vec::new(), scene.angles.clone(), Vec::new());
+    let (mut positions, mut angles, mut reported) = (Vec::new(), scene.angles.clone(), Vec::new());
     for _ in 0..3 {
-        told.push(kernel.edges());
-        kernel.faces(true);
+        reported.push(kernel.fold_angles());
+        kernel.triangle_forces(true);
         assert!(if verlet { kernel.verlet(1e-4, 1e-4) } else { kernel.euler(1e-4) }, "out of bounds");
     }
     for _ in 0..3 {
-        kernel.edges();
-        kernel.faces(false);
-        let sums = kernel.weigh(&masses);
-        told.extend([sums.power, sums.speed, sums.pull]);
-        assert!(kernel.moves(&masses, Decision { step: 1e-4, keep: 0.9, towards_force: 1e-4, back: 1e-5 }));
+        kernel.fold_angles();
+        kernel.triangle_forces(false);
+        let sums = kernel.reduce_forces(&masses);
+        reported.extend([sums.power, sums.speed, sums.pull]);
+        assert!(kernel.fire_move(&masses, Decision { step: 1e-4, keep: 0.9, towards_force: 1e-4, back: 1e-5 }));
     }
     kernel.read_positions(&mut positions);
     kernel.read_angles(&mut angles);
-    (positions, angles, told)
+    (positions, angles, reported)
 }
 
 #[test]
@@ -295,11 +295,11 @@ fn where_a_pass_is_cut_changes_no_bit() {
         for verlet in [false, true] {
             let (exact, mixed) = (bits::<f64>(&scene, 1, verlet), bits::<f32>(&scene, 1, verlet));
             assert!(exact.0 != scene.positions && exact != mixed, "something is compared");
-            for parts in [2, 3, 5, 64] {
+            for tasks in [2, 3, 5, 64] {
                 let same = pool.install(|| {
-                    bits::<f64>(&scene, parts, verlet) == exact && bits::<f32>(&scene, parts, verlet) == mixed
+                    bits::<f64>(&scene, tasks, verlet) == exact && bits::<f32>(&scene, tasks, verlet) == mixed
                 });
-                assert!(same, "{parts} parts of {} nodes", scene.positions.len());
+                assert!(same, "{tasks} tasks of {} nodes", scene.positions.len());
             }
         }
     }

@@ -4,7 +4,7 @@ use std::io::Write as _;
 use std::time::Instant;
 
 use super::{Compute, Isa, Kernel, Material, Model, Scene};
-use crate::kernel::team::Team;
+use crate::kernel::parallelism::Parallelism;
 
 #[test]
 #[ignore = "measures"]
@@ -29,29 +29,29 @@ fn time<R: Compute>(scene: &Scene, repeat: usize) {
         let mut kernel = scene.kernel::<R>(isa);
         let mut each = [f64::INFINITY; 4];
         for _ in 0..60 {
-            let mut of = |place: usize, pass: &mut dyn FnMut(&mut Kernel<R>)| {
+            let mut of = |pass_index: usize, pass: &mut dyn FnMut(&mut Kernel<R>)| {
                 let start = Instant::now();
                 for _ in 0..repeat {
                     pass(&mut kernel);
                 }
-                each[place] = each[place].min(start.elapsed().as_secs_f64() * 1e9 / (nodes * repeat) as f64);
+                each[pass_index] = each[pass_index].min(start.elapsed().as_secs_f64() * 1e9 / (nodes * repeat) as f64);
             };
             of(0, &mut |k| {
-                k.edges();
+                k.fold_angles();
             });
-            of(1, &mut |k| k.faces(true));
+            of(1, &mut |k| k.triangle_forces(true));
             of(2, &mut |k| {
                 k.euler(0.0);
             });
             of(3, &mut |k| {
-                k.edges();
-                k.faces(true);
+                k.fold_angles();
+                k.triangle_forces(true);
                 k.euler(1e-9);
             });
         }
         let name = format!("{isa:?}");
         let line = format!(
-            "{nodes:>7} {} {:>9} edges {:5.1} faces {:5.1} nodes {:5.1} all {:5.1}",
+            "{nodes:>7} {} {:>9} fold_angles {:5.1} triangle_forces {:5.1} integrate {:5.1} all {:5.1}",
             size_of::<R>() * 8,
             &name[..name.len().min(8)],
             each[0],
@@ -74,24 +74,24 @@ fn timing_of_threads() {
     }
 }
 
-/// On one thread, always shared out among two, and as the team sees fit.
+/// On one thread, always shared out among two, and as the clock decides.
 fn time_threads<R: Compute>(scene: &Scene, what: &str) {
     let nodes = scene.positions.len();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("a pool");
     let mut kernels = [1, 2, 2].map(|threads| scene.shared::<R>(Isa::best(), threads));
-    kernels[1].team = Team::steady(2);
+    kernels[1].parallelism = Parallelism::steady(2);
     let rounds = std::env::var("ROUNDS").ok().and_then(|rounds| rounds.parse().ok()).unwrap_or(2);
     let (mut best, mut all) = ([f64::INFINITY; 3], [0.0; 3]);
     for _ in 0..rounds {
         for (i, kernel) in kernels.iter_mut().enumerate() {
             if i == 2 {
-                kernel.team = Team::new(2);
+                kernel.parallelism = Parallelism::new(2);
             }
             let (start, mut steps) = (Instant::now(), 0);
             pool.install(|| {
                 while start.elapsed().as_millis() < 600 {
-                    kernel.edges();
-                    kernel.faces(true);
+                    kernel.fold_angles();
+                    kernel.triangle_forces(true);
                     kernel.euler(1e-9);
                     steps += 1;
                 }

@@ -5,8 +5,11 @@ use std::arch::x86_64::{__m128, __m256, __m256d, _CMP_LT_OQ};
 use bytemuck::cast;
 use pulp::x86::V3;
 
-use super::rows::{apart_s8, between_d4, between_s8, first, first_mut, pick_d4, pick_s8, rows_d4, rows_s8};
-use crate::kernel::lane::{Lane, Mesh};
+use super::rows::{
+    first, first_mut, gather_d4, gather_differences_d4, gather_differences_s8, gather_s8,
+    gather_velocity_differences_s8, rows_d4, rows_s8,
+};
+use crate::kernel::lane::{GatherScatter, Lane};
 use crate::kernel::real::{Quad32, Quad64};
 
 /// Four f64.
@@ -52,56 +55,56 @@ lane! {
     select(lane, mask, yes, no) = lane.0.sse4_1._mm_blendv_ps(no, yes, mask);
 }
 
-impl Mesh for D4 {
+impl GatherScatter for D4 {
     nodes! {
         D4, __m256d, Quad64; |own| own.0;
         widen(_lane, raw) = raw;
     }
 
     #[inline(always)]
-    fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [__m256d; 3] {
-        between_d4(self.0, places, first(from), first(to))
+    fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [__m256d; 3] {
+        gather_differences_d4(self.0, positions, first(from), first(to))
     }
 
     #[inline(always)]
-    fn apart(self, vectors: &[Quad64], from: &[u32], to: &[u32]) -> [__m256d; 3] {
-        between_d4(self.0, vectors, first(from), first(to))
+    fn gather_velocity_differences(self, vectors: &[Quad64], from: &[u32], to: &[u32]) -> [__m256d; 3] {
+        gather_differences_d4(self.0, vectors, first(from), first(to))
     }
 
     #[inline(always)]
-    fn pick(self, values: &[f64], at: &[u32]) -> __m256d {
-        pick_d4(self.0, values, first(at))
+    fn gather(self, values: &[f64], at: &[u32]) -> __m256d {
+        gather_d4(self.0, values, first(at))
     }
 
     #[inline(always)]
-    fn spread(self, vectors: [__m256d; 3], to: &mut [Quad64]) {
+    fn scatter(self, vectors: [__m256d; 3], to: &mut [Quad64]) {
         rows_d4(self.0, vectors, first_mut(to));
     }
 }
 
-impl Mesh for S8 {
+impl GatherScatter for S8 {
     nodes! {
         S4, __m128, Quad32; |own| own.0;
         widen(lane, raw) = lane.0.avx._mm256_cvtps_pd(raw);
     }
 
     #[inline(always)]
-    fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [__m256; 3] {
-        between_s8(self.0, places, first(from), first(to))
+    fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [__m256; 3] {
+        gather_differences_s8(self.0, positions, first(from), first(to))
     }
 
     #[inline(always)]
-    fn apart(self, vectors: &[Quad32], from: &[u32], to: &[u32]) -> [__m256; 3] {
-        apart_s8(self.0, vectors, first(from), first(to))
+    fn gather_velocity_differences(self, vectors: &[Quad32], from: &[u32], to: &[u32]) -> [__m256; 3] {
+        gather_velocity_differences_s8(self.0, vectors, first(from), first(to))
     }
 
     #[inline(always)]
-    fn pick(self, values: &[f32], at: &[u32]) -> __m256 {
-        pick_s8(self.0, values, first(at))
+    fn gather(self, values: &[f32], at: &[u32]) -> __m256 {
+        gather_s8(self.0, values, first(at))
     }
 
     #[inline(always)]
-    fn spread(self, vectors: [__m256; 3], to: &mut [Quad32]) {
+    fn scatter(self, vectors: [__m256; 3], to: &mut [Quad32]) {
         rows_s8(self.0, vectors, first_mut(to));
     }
 }

@@ -6,9 +6,12 @@ use bytemuck::cast;
 use pulp::x86::V4;
 
 use super::avx2::{D4, S4};
-use super::rows::{first, first_mut, halves, pick_d4, pick_s8};
-use super::wide_rows::{apart_s16, between_d8, between_s16, join_d8, join_s16, rows_d8, rows_s16};
-use crate::kernel::lane::{Lane, Mesh};
+use super::rows::{first, first_mut, gather_d4, gather_s8, halves};
+use super::wide_rows::{
+    gather_differences_d8, gather_differences_s16, gather_velocity_differences_s16, join_d8, join_s16, rows_d8,
+    rows_s16,
+};
+use crate::kernel::lane::{GatherScatter, Lane};
 use crate::kernel::real::{Quad32, Quad64};
 
 /// Eight f64.
@@ -52,58 +55,58 @@ lane! {
     select(lane, mask, yes, no) = lane.0.avx512f._mm512_mask_blend_ps(mask, no, yes);
 }
 
-impl Mesh for D8 {
+impl GatherScatter for D8 {
     nodes! {
         D4, __m256d, Quad64; |own| *own.0;
         widen(_lane, raw) = raw;
     }
 
     #[inline(always)]
-    fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [__m512d; 3] {
-        between_d8(self.0, places, first(from), first(to))
+    fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [__m512d; 3] {
+        gather_differences_d8(self.0, positions, first(from), first(to))
     }
 
     #[inline(always)]
-    fn apart(self, vectors: &[Quad64], from: &[u32], to: &[u32]) -> [__m512d; 3] {
-        between_d8(self.0, vectors, first(from), first(to))
+    fn gather_velocity_differences(self, vectors: &[Quad64], from: &[u32], to: &[u32]) -> [__m512d; 3] {
+        gather_differences_d8(self.0, vectors, first(from), first(to))
     }
 
     #[inline(always)]
-    fn pick(self, values: &[f64], at: &[u32]) -> __m512d {
+    fn gather(self, values: &[f64], at: &[u32]) -> __m512d {
         let [low, high] = halves(at);
-        join_d8(self.0, pick_d4(*self.0, values, low), pick_d4(*self.0, values, high))
+        join_d8(self.0, gather_d4(*self.0, values, low), gather_d4(*self.0, values, high))
     }
 
     #[inline(always)]
-    fn spread(self, vectors: [__m512d; 3], to: &mut [Quad64]) {
+    fn scatter(self, vectors: [__m512d; 3], to: &mut [Quad64]) {
         rows_d8(self.0, vectors, first_mut(to));
     }
 }
 
-impl Mesh for S16 {
+impl GatherScatter for S16 {
     nodes! {
         S4, __m128, Quad32; |own| *own.0;
         widen(lane, raw) = lane.0.avx._mm256_cvtps_pd(raw);
     }
 
     #[inline(always)]
-    fn between(self, places: &[Quad64], from: &[u32], to: &[u32]) -> [__m512; 3] {
-        between_s16(self.0, places, first(from), first(to))
+    fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [__m512; 3] {
+        gather_differences_s16(self.0, positions, first(from), first(to))
     }
 
     #[inline(always)]
-    fn apart(self, vectors: &[Quad32], from: &[u32], to: &[u32]) -> [__m512; 3] {
-        apart_s16(self.0, vectors, first(from), first(to))
+    fn gather_velocity_differences(self, vectors: &[Quad32], from: &[u32], to: &[u32]) -> [__m512; 3] {
+        gather_velocity_differences_s16(self.0, vectors, first(from), first(to))
     }
 
     #[inline(always)]
-    fn pick(self, values: &[f32], at: &[u32]) -> __m512 {
+    fn gather(self, values: &[f32], at: &[u32]) -> __m512 {
         let [low, high] = halves(at);
-        join_s16(self.0, pick_s8(*self.0, values, low), pick_s8(*self.0, values, high))
+        join_s16(self.0, gather_s8(*self.0, values, low), gather_s8(*self.0, values, high))
     }
 
     #[inline(always)]
-    fn spread(self, vectors: [__m512; 3], to: &mut [Quad32]) {
+    fn scatter(self, vectors: [__m512; 3], to: &mut [Quad32]) {
         rows_s16(self.0, vectors, first_mut(to));
     }
 }

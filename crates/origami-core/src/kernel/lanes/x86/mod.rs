@@ -122,7 +122,7 @@ macro_rules! lane {
 macro_rules! nodes {
     ($node:ident, $raw:ty, $quad:ident; |$own:ident| $token:expr; widen($lane:ident, $narrow:ident) = $wide:expr;) => {
         type Node = $node;
-        type Place = D4;
+        type Position = D4;
 
         #[inline(always)]
         fn node(self) -> $node {
@@ -131,7 +131,7 @@ macro_rules! nodes {
         }
 
         #[inline(always)]
-        fn place(self) -> D4 {
+        fn position(self) -> D4 {
             let $own = self;
             D4($token)
         }
@@ -147,12 +147,12 @@ macro_rules! nodes {
         }
 
         #[inline(always)]
-        fn load_place(self, from: Quad64) -> __m256d {
+        fn load_position(self, from: Quad64) -> __m256d {
             cast(from.0)
         }
 
         #[inline(always)]
-        fn store_place(self, raw: __m256d) -> Quad64 {
+        fn store_position(self, raw: __m256d) -> Quad64 {
             Quad64(cast(raw))
         }
 

@@ -63,33 +63,33 @@ pub(super) fn rows_of_pair(v: V3, pair: __m256, i: usize, to: &mut [Quad32; 8]) 
     to[i + 4] = Quad32(cast(v.avx._mm256_extractf128_ps::<1>(pair)));
 }
 
-/// The way between two nodes.
+/// The difference between two nodes.
 #[inline(always)]
-pub(super) fn way_d4(v: V3, vectors: &[Quad64], from: u32, to: u32) -> __m256d {
+pub(super) fn difference_d4(v: V3, vectors: &[Quad64], from: u32, to: u32) -> __m256d {
     v.avx._mm256_sub_pd(cast(item(vectors, to).0), cast(item(vectors, from).0))
 }
 
-/// The ways between four pairs of nodes.
+/// The differences between four pairs of nodes.
 #[inline(always)]
-pub(super) fn between_d4(v: V3, vectors: &[Quad64], from: &[u32; 4], to: &[u32; 4]) -> [__m256d; 3] {
-    let (a, b) = (way_d4(v, vectors, from[0], to[0]), way_d4(v, vectors, from[1], to[1]));
-    let (c, d) = (way_d4(v, vectors, from[2], to[2]), way_d4(v, vectors, from[3], to[3]));
+pub(super) fn gather_differences_d4(v: V3, vectors: &[Quad64], from: &[u32; 4], to: &[u32; 4]) -> [__m256d; 3] {
+    let (a, b) = (difference_d4(v, vectors, from[0], to[0]), difference_d4(v, vectors, from[1], to[1]));
+    let (c, d) = (difference_d4(v, vectors, from[2], to[2]), difference_d4(v, vectors, from[3], to[3]));
     columns_d4(v, [a, b, c, d])
 }
 
-/// The ways between pairs i and i + 4 of nodes, in f32.
+/// The differences between pairs i and i + 4 of nodes, in f32.
 #[inline(always)]
-pub(super) fn ways_s8(v: V3, places: &[Quad64], from: &[u32; 8], to: &[u32; 8], i: usize) -> __m256 {
-    let low = v.avx._mm256_cvtpd_ps(way_d4(v, places, from[i], to[i]));
-    let high = v.avx._mm256_cvtpd_ps(way_d4(v, places, from[i + 4], to[i + 4]));
+pub(super) fn two_differences_s8(v: V3, positions: &[Quad64], from: &[u32; 8], to: &[u32; 8], i: usize) -> __m256 {
+    let low = v.avx._mm256_cvtpd_ps(difference_d4(v, positions, from[i], to[i]));
+    let high = v.avx._mm256_cvtpd_ps(difference_d4(v, positions, from[i + 4], to[i + 4]));
     v.avx._mm256_set_m128(high, low)
 }
 
-/// The ways between eight pairs of nodes, in f32.
+/// The differences between eight pairs of nodes, in f32.
 #[inline(always)]
-pub(super) fn between_s8(v: V3, places: &[Quad64], from: &[u32; 8], to: &[u32; 8]) -> [__m256; 3] {
-    let (a, b) = (ways_s8(v, places, from, to, 0), ways_s8(v, places, from, to, 1));
-    let (c, d) = (ways_s8(v, places, from, to, 2), ways_s8(v, places, from, to, 3));
+pub(super) fn gather_differences_s8(v: V3, positions: &[Quad64], from: &[u32; 8], to: &[u32; 8]) -> [__m256; 3] {
+    let (a, b) = (two_differences_s8(v, positions, from, to, 0), two_differences_s8(v, positions, from, to, 1));
+    let (c, d) = (two_differences_s8(v, positions, from, to, 2), two_differences_s8(v, positions, from, to, 3));
     columns_s8(v, [a, b, c, d])
 }
 
@@ -101,7 +101,7 @@ pub(super) fn pair_s8(v: V3, vectors: &[Quad32], nodes: &[u32; 8], i: usize) -> 
 
 /// The differences between eight pairs of vectors.
 #[inline(always)]
-pub(super) fn apart_s8(v: V3, vectors: &[Quad32], from: &[u32; 8], to: &[u32; 8]) -> [__m256; 3] {
+pub(super) fn gather_velocity_differences_s8(v: V3, vectors: &[Quad32], from: &[u32; 8], to: &[u32; 8]) -> [__m256; 3] {
     let a = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 0), pair_s8(v, vectors, from, 0));
     let b = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 1), pair_s8(v, vectors, from, 1));
     let c = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 2), pair_s8(v, vectors, from, 2));
@@ -110,20 +110,20 @@ pub(super) fn apart_s8(v: V3, vectors: &[Quad32], from: &[u32; 8], to: &[u32; 8]
 }
 
 #[inline(always)]
-pub(super) fn pick_d4(v: V3, values: &[f64], at: &[u32; 4]) -> __m256d {
+pub(super) fn gather_d4(v: V3, values: &[f64], at: &[u32; 4]) -> __m256d {
     let [a, b, c, d] = *at;
     v.avx._mm256_set_pd(item(values, d), item(values, c), item(values, b), item(values, a))
 }
 
 #[inline(always)]
-pub(super) fn pick_s8(v: V3, values: &[f32], at: &[u32; 8]) -> __m256 {
+pub(super) fn gather_s8(v: V3, values: &[f32], at: &[u32; 8]) -> __m256 {
     let [a, b, c, d, e, f, g, h] = *at;
     let (a, b, c, d) = (item(values, a), item(values, b), item(values, c), item(values, d));
     let (e, f, g, h) = (item(values, e), item(values, f), item(values, g), item(values, h));
     v.avx._mm256_set_ps(h, g, f, e, d, c, b, a)
 }
 
-/// The first places of a list that has as many.
+/// The first `N` items of a list that is at least as long.
 #[inline(always)]
 pub(super) fn first<const N: usize, T>(list: &[T]) -> &[T; N] {
     list.first_chunk().expect("as many as there are lanes")
@@ -134,7 +134,7 @@ pub(super) fn first_mut<const N: usize, T>(list: &mut [T]) -> &mut [T; N] {
     list.first_chunk_mut().expect("as many as there are lanes")
 }
 
-/// The two halves of a list of places.
+/// The two halves of a list of `2 N` items.
 #[inline(always)]
 pub(super) fn halves<const N: usize, T>(list: &[T]) -> [&[T; N]; 2] {
     [first(list), first(&list[N..])]

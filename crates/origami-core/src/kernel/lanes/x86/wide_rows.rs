@@ -15,19 +15,19 @@ fn two_d4(v: V4, vectors: &[Quad64], low: u32, high: u32) -> __m512d {
     join_d8(v, cast(item(vectors, low).0), cast(item(vectors, high).0))
 }
 
-/// The ways between pairs i and j of nodes.
+/// The differences between pairs i and j of nodes.
 #[inline(always)]
-fn ways_d4(v: V4, vectors: &[Quad64], from: &[u32], to: &[u32], i: usize, j: usize) -> __m512d {
+fn two_differences_d4(v: V4, vectors: &[Quad64], from: &[u32], to: &[u32], i: usize, j: usize) -> __m512d {
     v.avx512f._mm512_sub_pd(two_d4(v, vectors, to[i], to[j]), two_d4(v, vectors, from[i], from[j]))
 }
 
-/// The ways between eight pairs of nodes.
+/// The differences between eight pairs of nodes.
 #[inline(always)]
-pub(super) fn between_d8(v: V4, vectors: &[Quad64], from: &[u32; 8], to: &[u32; 8]) -> [__m512d; 3] {
-    let rows_02 = ways_d4(v, vectors, from, to, 0, 2);
-    let rows_13 = ways_d4(v, vectors, from, to, 1, 3);
-    let rows_46 = ways_d4(v, vectors, from, to, 4, 6);
-    let rows_57 = ways_d4(v, vectors, from, to, 5, 7);
+pub(super) fn gather_differences_d8(v: V4, vectors: &[Quad64], from: &[u32; 8], to: &[u32; 8]) -> [__m512d; 3] {
+    let rows_02 = two_differences_d4(v, vectors, from, to, 0, 2);
+    let rows_13 = two_differences_d4(v, vectors, from, to, 1, 3);
+    let rows_46 = two_differences_d4(v, vectors, from, to, 4, 6);
+    let rows_57 = two_differences_d4(v, vectors, from, to, 5, 7);
     let (xz_0123, yw_0123) =
         (v.avx512f._mm512_unpacklo_pd(rows_02, rows_13), v.avx512f._mm512_unpackhi_pd(rows_02, rows_13));
     let (xz_4567, yw_4567) =
@@ -56,11 +56,11 @@ fn two_rows(v: V4, [x, y, z]: [__m512d; 3], of_xy: [i64; 8], of_z: [i64; 8], to:
     *to = cast(v.avx512f._mm512_mask_permutexvar_pd(xy, 0b0100_0100, cast(of_z), z));
 }
 
-/// The ways between pairs i, i + 4, i + 8 and i + 12 of nodes, in f32.
+/// The differences between pairs i, i + 4, i + 8 and i + 12 of nodes, in f32.
 #[inline(always)]
-fn ways_s16(v: V4, places: &[Quad64], from: &[u32; 16], to: &[u32; 16], i: usize) -> __m512 {
-    let low = v.avx512f._mm512_cvtpd_ps(ways_d4(v, places, from, to, i, i + 4));
-    let high = v.avx512f._mm512_cvtpd_ps(ways_d4(v, places, from, to, i + 8, i + 12));
+fn four_differences_s16(v: V4, positions: &[Quad64], from: &[u32; 16], to: &[u32; 16], i: usize) -> __m512 {
+    let low = v.avx512f._mm512_cvtpd_ps(two_differences_d4(v, positions, from, to, i, i + 4));
+    let high = v.avx512f._mm512_cvtpd_ps(two_differences_d4(v, positions, from, to, i + 8, i + 12));
     join_s16(v, low, high)
 }
 
@@ -77,11 +77,11 @@ fn columns_s16(v: V4, [a, b, c, d]: [__m512; 4]) -> [__m512; 3] {
     ]
 }
 
-/// The ways between sixteen pairs of nodes, in f32.
+/// The differences between sixteen pairs of nodes, in f32.
 #[inline(always)]
-pub(super) fn between_s16(v: V4, places: &[Quad64], from: &[u32; 16], to: &[u32; 16]) -> [__m512; 3] {
-    let (a, b) = (ways_s16(v, places, from, to, 0), ways_s16(v, places, from, to, 1));
-    let (c, d) = (ways_s16(v, places, from, to, 2), ways_s16(v, places, from, to, 3));
+pub(super) fn gather_differences_s16(v: V4, positions: &[Quad64], from: &[u32; 16], to: &[u32; 16]) -> [__m512; 3] {
+    let (a, b) = (four_differences_s16(v, positions, from, to, 0), four_differences_s16(v, positions, from, to, 1));
+    let (c, d) = (four_differences_s16(v, positions, from, to, 2), four_differences_s16(v, positions, from, to, 3));
     columns_s16(v, [a, b, c, d])
 }
 
@@ -100,7 +100,12 @@ fn four_s4(v: V4, vectors: &[Quad32], nodes: &[u32; 16], i: usize) -> __m512 {
 
 /// The differences between sixteen pairs of vectors.
 #[inline(always)]
-pub(super) fn apart_s16(v: V4, vectors: &[Quad32], from: &[u32; 16], to: &[u32; 16]) -> [__m512; 3] {
+pub(super) fn gather_velocity_differences_s16(
+    v: V4,
+    vectors: &[Quad32],
+    from: &[u32; 16],
+    to: &[u32; 16],
+) -> [__m512; 3] {
     let a = v.avx512f._mm512_sub_ps(four_s4(v, vectors, to, 0), four_s4(v, vectors, from, 0));
     let b = v.avx512f._mm512_sub_ps(four_s4(v, vectors, to, 1), four_s4(v, vectors, from, 1));
     let c = v.avx512f._mm512_sub_ps(four_s4(v, vectors, to, 2), four_s4(v, vectors, from, 2));

@@ -1,0 +1,200 @@
+//! From models to the arrays that the shaders read: topology and constants, the same for all instances.
+
+use origami_core::model::{Beam, Crease, Model};
+
+use crate::layout::{ALONE, CREASE, FACET, FOLD, Face, Hinge, LooseBeam, OWN, RIGHT, split_square};
+
+/// What the shaders read of a sheet and never write.
+#[derive(Clone, Debug)]
+pub(crate) struct SheetArrays {
+    /// Nodes of one instance.
+    pub(crate) nodes: usize,
+    pub(crate) hinges: Vec<Hinge>,
+    pub(crate) faces: Vec<Face>,
+    /// By face; empty where no triangle has corner springs.
+    pub(crate) corners: Vec<[f32; 4]>,
+    /// Three a face, 0 for the material's; empty where no beam has its own.
+    pub(crate) rigidities: Vec<f32>,
+    pub(crate) loose_beams: Vec<LooseBeam>,
+    /// First slot of each node, and the end of the last.
+    pub(crate) rows: Vec<u32>,
+    /// Whether some nodes do not move.
+    pub(crate) fixed: bool,
+}
+
+impl SheetArrays {
+    /// The arrays of models which differ in nothing but their material; see [`same_springs`].
+    pub(crate) fn new(models: &[&Model]) -> Self {
+        let model = models[0];
+        let (rows, face_slots, loose_slots) = slots(model);
+        let rigidity = |beam: usize| models.iter().find_map(|m| own_rigidity(m, &m.beams[beam])).unwrap_or(0.0);
+        let rigidities: Vec<f32> = (0..model.beams.len()).map(rigidity).collect();
+        let sides = sides_of_triangles(model);
+
+        let hinges = (0..model.creases.len()).map(|c| hinge(models, c)).collect();
+        let faces = model.mesh.triangles.iter().zip(&sides).zip(face_slots);
+        let faces = faces.map(|((nodes, sides), slots)| {
+            let rest = sides.map(|s| split_square(model.beams[s.beam].rest_length));
+            Face {
+                nodes: nodes.map(|n| n.0),
+                slots,
+                sides: sides.map(|s| s.flagged),
+                rest_high: rest.map(|r| r.0),
+                rest_low: rest.map(|r| r.1),
+            }
+        });
+        let faces = faces.collect();
+        let mut corners = Vec::new();
+        if !model.corner_angles.is_empty() {
+            corners.resize(model.mesh.triangles.len(), [0.0; 4]);
+            for own in &model.corner_angles {
+                let [first, second] = own.rest;
+                corners[own.triangle.index()] = [first.0, first.1, second.0, second.1].map(single);
+            }
+        }
+        let loose = model.mesh.sides.iter().enumerate().filter(|(_, side)| side.triangles[0].is_none());
+        let loose = loose.zip(loose_slots).map(|((beam, side), slots)| {
+            let (rest_high, rest_low) = split_square(model.beams[beam].rest_length);
+            LooseBeam { nodes: side.nodes.map(|n| n.0), slots, rest_high, rest_low, rigidity: rigidities[beam] }
+        });
+        let any_own = rigidities.iter().any(|r| *r > 0.0);
+        Self {
+            nodes: model.node_count(),
+            hinges,
+            faces,
+            corners,
+            rigidities: match any_own {
+                true => sides.iter().flatten().map(|s| rigidities[s.beam]).collect(),
+                false => Vec::new(),
+            },
+            loose_beams: loose.collect(),
+            rows,
+            fixed: !model.fixed.is_empty(),
+        }
+    }
+
+    /// How many slots one instance has.
+    pub(crate) fn slot_count(&self) -> usize {
+        3 * self.faces.len() + 2 * self.loose_beams.len()
+    }
+
+    /// The most slots of one node.
+    pub(crate) fn most_slots(&self) -> usize {
+        self.rows.windows(2).map(|row| row[1] - row[0]).max().unwrap_or(0) as usize
+    }
+}
+
+/// Whether two models have springs in the same places, with the same stiffness where a spring has its own, so that one set
+/// of arrays serves both. Models of one pattern can differ in the places only where a stiffness is 0.
+pub(crate) fn same_springs(a: &Model, b: &Model) -> bool {
+    a.rest == b.rest
+        && a.mesh.triangles == b.mesh.triangles
+        && a.beams.len() == b.beams.len()
+        && a.beams.iter().zip(&b.beams).all(|pair| pair.0.nodes == pair.1.nodes && same_rigidity(a, b, pair))
+        && a.fixed == b.fixed
+        && a.creases.len() == b.creases.len()
+        && a.creases.iter().zip(&b.creases).all(|pair| pair.0.nodes == pair.1.nodes && same_stiffness(a, b, pair))
+        && a.corner_angles.len() == b.corner_angles.len()
+}
+
+fn same_rigidity(a: &Model, b: &Model, (one, two): (&Beam, &Beam)) -> bool {
+    one.stiffness == two.stiffness || own_rigidity(a, one).is_none() && own_rigidity(b, two).is_none()
+}
+
+fn same_stiffness(a: &Model, b: &Model, (one, two): (&Crease, &Crease)) -> bool {
+    let both = |number: fn(&Model) -> f64| comes_from(a, one, number) && comes_from(b, two, number);
+    one.stiffness == two.stiffness || both(|m| m.material.k_fold) || both(|m| m.material.k_facet)
+}
+
+/// The rigidity of a beam that is not the material's.
+fn own_rigidity(model: &Model, beam: &Beam) -> Option<f32> {
+    let of_material = model.material.ea / beam.rest_length;
+    (beam.stiffness != of_material).then(|| single(beam.stiffness * beam.rest_length))
+}
+
+/// A crease, with the material's number that its stiffness comes from in every model.
+fn hinge(models: &[&Model], crease: usize) -> Hinge {
+    let [apex_one, apex_two, end_one, end_two] = models[0].creases[crease].nodes.map(|n| n.0);
+    let all_from = |number: fn(&Model) -> f64| models.iter().all(|m| comes_from(m, &m.creases[crease], number));
+    let rest_length = length(models[0], &models[0].creases[crease]);
+    let (kind, length) = if all_from(|m| m.material.k_fold) {
+        (FOLD, rest_length)
+    } else if all_from(|m| m.material.k_facet) {
+        (FACET, rest_length)
+    } else {
+        (OWN, models[0].creases[crease].stiffness)
+    };
+    Hinge { apex_one, apex_two, end_one, end_two, length: single(length), kind }
+}
+
+/// Whether a crease's stiffness per length is a number of the material.
+fn comes_from(model: &Model, crease: &Crease, number: fn(&Model) -> f64) -> bool {
+    crease.stiffness == length(model, crease) * number(model)
+}
+
+fn length(model: &Model, crease: &Crease) -> f64 {
+    let [end_one, end_two] = [crease.nodes[2], crease.nodes[3]].map(|n| model.rest[n.index()]);
+    end_two.distance(end_one)
+}
+
+/// A side of a triangle.
+#[derive(Clone, Copy)]
+struct SideOf {
+    /// The crease on it, with flags.
+    flagged: u32,
+    beam: usize,
+}
+
+/// The sides of every triangle, from each corner to the next.
+fn sides_of_triangles(model: &Model) -> Vec<[SideOf; 3]> {
+    let mut crease_on = vec![CREASE; model.mesh.sides.len()];
+    for (c, crease) in (0..).zip(&model.creases) {
+        crease_on[crease.side.index()] = c;
+    }
+    let mut sides = vec![[SideOf { flagged: CREASE, beam: 0 }; 3]; model.mesh.triangles.len()];
+    for (s, side) in model.mesh.sides.iter().enumerate() {
+        let alone = if side.triangles[1].is_none() { ALONE } else { 0 };
+        for (which, triangle) in side.triangles.iter().enumerate() {
+            let Some(triangle) = triangle else { continue };
+            // To the left of a side its triangle runs with it, to the right against it.
+            let (start, right) = if which == 0 { (side.nodes[0], 0) } else { (side.nodes[1], RIGHT) };
+            let nodes = &model.mesh.triangles[triangle.index()];
+            let Some(corner) = nodes.iter().position(|n| *n == start) else { continue };
+            sides[triangle.index()][corner] = SideOf { flagged: crease_on[s] | alone | right, beam: s };
+        }
+    }
+    sides
+}
+
+/// Slots numbered by node, so that each node reads one after the other: the rows, then the slots of faces and of beams
+/// outside any face.
+fn slots(model: &Model) -> (Vec<u32>, Vec<[u32; 3]>, Vec<[u32; 2]>) {
+    let loose: Vec<[usize; 2]> = model
+        .mesh
+        .sides
+        .iter()
+        .filter(|side| side.triangles[0].is_none())
+        .map(|side| side.nodes.map(|n| n.index()))
+        .collect();
+    let triangles = || model.mesh.triangles.iter().map(|t| t.map(|n| n.index()));
+    let mut rows = vec![0_u32; model.node_count() + 1];
+    for node in triangles().flatten().chain(loose.iter().flatten().copied()) {
+        rows[node + 1] += 1;
+    }
+    for n in 0..model.node_count() {
+        rows[n + 1] += rows[n];
+    }
+    let mut next = rows.clone();
+    let mut take = |node: usize| {
+        next[node] += 1;
+        next[node] - 1
+    };
+    let of_faces = triangles().map(|t| t.map(&mut take)).collect();
+    let of_loose = loose.iter().map(|ends| ends.map(&mut take)).collect();
+    (rows, of_faces, of_loose)
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "to the nearest")]
+fn single(x: f64) -> f32 {
+    x as f32
+}

@@ -1,0 +1,30 @@
+// First pass: the fold angle of every crease and the moment of its spring (paper 2.3).
+
+fn fold_angle(instance: u32, c: u32) {
+    let i = instance * CREASES + c;
+    let h = hinges[c];
+    let s = hinge_shape(instance, h);
+    if (s.degenerate) {
+        // A degenerate crease keeps its angle and pulls at nothing until it opens again.
+        crease_states[i].moment = 0.0;
+        return;
+    }
+    let previous = crease_states[i].angle;
+    // As good in thin triangles as in others, since the normals are.
+    let y = dot(s.along, cross(s.normal_two, s.normal_one)) / sqrt(s.along_squared);
+    let angle = unwrapped(angle_of(y, dot(s.normal_one, s.normal_two)), previous);
+    if (RELAXING && abs(angle - previous) > HOLD) {
+        atomicMax(&control[instance].held, 1u);
+    }
+    let share = ramp_share(instance);
+    let target_now = crease_states[i].start_target * (1.0 - share) + crease_states[i].end_target * share;
+    crease_states[i].angle = angle;
+    crease_states[i].moment = crease_stiffness(instance, h) * (target_now - angle);
+}
+
+@compute @workgroup_size(WORKGROUP)
+fn fold_angles(@builtin(global_invocation_id) id: vec3<u32>) {
+    if (id.x < CREASES && control[id.y].stop == RUNNING) {
+        fold_angle(id.y, id.x);
+    }
+}

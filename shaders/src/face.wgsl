@@ -39,25 +39,25 @@ struct Triangle {
 
 fn triangle(instance: u32, f: Face) -> Triangle {
     let base = instance * NODES;
-    let a = place(base + f.nodes[0]);
-    let b = place(base + f.nodes[1]);
-    let c = place(base + f.nodes[2]);
-    let way_ab = between(a, b);
-    let way_bc = between(b, c);
-    let way_ca = between(c, a);
-    let ab = vector(way_ab);
-    let bc = vector(way_bc);
-    let ca = vector(way_ca);
+    let a = position_of(base + f.nodes[0]);
+    let b = position_of(base + f.nodes[1]);
+    let c = position_of(base + f.nodes[2]);
+    let d_ab = difference(a, b);
+    let d_bc = difference(b, c);
+    let d_ca = difference(c, a);
+    let ab = vector(d_ab);
+    let bc = vector(d_bc);
+    let ca = vector(d_ca);
     var t: Triangle;
     t.sides = array<vec3<f32>, 3>(ab, bc, ca);
     t.squares = vec3<f32>(dot(ab, ab), dot(bc, bc), dot(ca, ca));
     t.excess = vec3<f32>(
-        excess(way_ab, f.rest_high[0], f.rest_low[0]),
-        excess(way_bc, f.rest_high[1], f.rest_low[1]),
-        excess(way_ca, f.rest_high[2], f.rest_low[2]),
+        excess(d_ab, f.rest_high[0], f.rest_low[0]),
+        excess(d_bc, f.rest_high[1], f.rest_low[1]),
+        excess(d_ca, f.rest_high[2], f.rest_low[2]),
     );
     t.dots = -vec3<f32>(dot(ab, ca), dot(ab, bc), dot(bc, ca));
-    t.normal = cross_product(way_ca, way_ab);
+    t.normal = cross_product(d_ca, d_ab);
     t.normal_squared = dot(t.normal, t.normal);
     return t;
 }

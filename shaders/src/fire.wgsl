@@ -1,21 +1,21 @@
 // FIRE on row-sum masses (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006): every node moves at its own local step.
 
-override FIRE_RENEWAL: u32 = 50u;
-override LONGEST_STEP: f32 = 1.5;
-override SHORTEST_STEP: f32 = 0.028;
-override LONGER: f32 = 1.1;
-override SHORTER: f32 = 0.5;
-override MIXING: f32 = 0.15;
-override LESS_MIXING: f32 = 0.99;
-override PATIENCE: u32 = 5u;
+override FIRE_RENEWAL: u32;
+override LONGEST_STEP: f32;
+override SHORTEST_STEP: f32;
+override LONGER: f32;
+override SHORTER: f32;
+override MIXING: f32;
+override LESS_MIXING: f32;
+override PATIENCE: u32;
 
 // Whether this evaluation renews the masses.
 fn renews(instance: u32) -> bool {
     return control[instance].step % FIRE_RENEWAL == 0u;
 }
 
-// Keeps the force on a node and, now and then, its mass; the node's part of power, speed and pull.
-fn weigh(instance: u32, n: u32) -> vec4<f32> {
+// Stores the force on a node and, now and then, its mass; returns the node's part of power, speed and pull.
+fn reduce_node(instance: u32, n: u32) -> vec4<f32> {
     let node = instance * NODES + n;
     let sum = gathered(instance, n);
     if (renews(instance)) {
@@ -29,7 +29,7 @@ fn weigh(instance: u32, n: u32) -> vec4<f32> {
 }
 
 // Decides, from the sums over all nodes, how they move; keeps count and leads the ramp.
-fn fire(instance: u32, sums: vec4<f32>) {
+fn update_fire(instance: u32, sums: vec4<f32>) {
     let power = sums.x;
     let speed = sums.y;
     let pull = sums.z;
@@ -63,11 +63,11 @@ fn fire(instance: u32, sums: vec4<f32>) {
     if (atomicExchange(&control[instance].held, 0u) == 0u) {
         control[instance].ramp_step = min(control[instance].ramp_step + 1u, control[instance].ramp_length);
     }
-    atomicStore(&control[instance].farthest, 0u);
-    atomicStore(&control[instance].fastest, 0u);
+    atomicStore(&control[instance].distance_squared_max, 0u);
+    atomicStore(&control[instance].move_squared_max, 0u);
 }
 
-fn fire_step(instance: u32, n: u32) {
+fn move_node(instance: u32, n: u32) {
     let node = instance * NODES + n;
     let velocity = nodes[node].velocity;
     let step = control[instance].fire_step;

@@ -42,11 +42,11 @@ struct HingeShape {
 
 fn hinge_shape(instance: u32, h: Hinge) -> HingeShape {
     let base = instance * NODES;
-    let end = place(base + h.end_one);
+    let end = position_of(base + h.end_one);
     var s: HingeShape;
-    let along = between(end, place(base + h.end_two));
-    let to_one = between(end, place(base + h.apex_one));
-    let to_two = between(end, place(base + h.apex_two));
+    let along = difference(end, position_of(base + h.end_two));
+    let to_one = difference(end, position_of(base + h.apex_one));
+    let to_two = difference(end, position_of(base + h.apex_two));
     s.along = vector(along);
     s.to_one = vector(to_one);
     s.to_two = vector(to_two);

@@ -44,33 +44,33 @@ shaders! {
     /// The stopping rule's memory.
     WINDOWS = "windows.wgsl";
     /// Kernel: fold angles and moments.
-    EDGES = "edges.wgsl";
-    /// Kernel: forces from the faces.
-    FACES = "faces.wgsl";
+    FOLD_ANGLES = "fold_angles.wgsl";
+    /// Kernel: forces of triangles on their corners.
+    TRIANGLE_FORCES = "triangle_forces.wgsl";
     /// Kernel: beams outside any face.
     LOOSE_BEAMS = "loose_beams.wgsl";
-    /// Kernel: moves the nodes of dynamics.
-    NODES = "nodes.wgsl";
+    /// Kernel: sums the forces on the nodes of dynamics, and moves them.
+    INTEGRATE = "integrate.wgsl";
     /// Kernel: row sums of the stiffness.
     ROW_SUMS = "row_sums.wgsl";
-    /// Kernel: the largest row sum.
-    STIFFEST = "stiffest.wgsl";
+    /// Kernel: the largest row sum and velocity.
+    STIFFNESS_MAX = "stiffness_max.wgsl";
     /// Kernel: the safe time step.
-    RENEW = "renew.wgsl";
-    /// Kernel: forces on the nodes and FIRE's sums.
-    WEIGH = "weigh.wgsl";
-    /// Kernel: FIRE's decision.
-    DECIDE = "decide.wgsl";
+    SAFE_TIME_STEP = "safe_time_step.wgsl";
+    /// Kernel: sums the forces on the nodes of a relaxation, for FIRE.
+    REDUCE_FORCES = "reduce_forces.wgsl";
+    /// Kernel: FIRE's step and mixing.
+    FIRE_UPDATE = "fire_update.wgsl";
     /// Kernel: FIRE's move.
-    MOVES = "moves.wgsl";
+    FIRE_MOVE = "fire_move.wgsl";
     /// Kernel: the stopping rule per node.
-    SETTLE = "settle.wgsl";
+    SETTLE_WINDOWS = "settle_windows.wgsl";
     /// Kernel: the stopping rule per instance.
-    JUDGE = "judge.wgsl";
-    /// Kernel: how good a state is.
-    SURVEY = "survey.wgsl";
-    /// Kernel: keeps a good state.
-    KEEP = "keep.wgsl";
+    SETTLE_DECIDE = "settle_decide.wgsl";
+    /// Kernel: how far out the nodes are and how far they move.
+    STATE_BOUNDS = "state_bounds.wgsl";
+    /// Kernel: copies a good state.
+    CHECKPOINT = "checkpoint.wgsl";
     /// Kernel: many steps of dynamics by one workgroup.
     WORKGROUP_DYNAMICS = "workgroup_dynamics.wgsl";
     /// Kernel: many evaluations of a relaxation by one workgroup.
@@ -96,7 +96,8 @@ pub mod paper {
     }
 }
 
-/// Pictures. The sheet and its lines are [`render::SCENE`] and one of the two; [`render::PLACES`] comes after [`STATE`].
+/// Pictures. The sheet and its lines are [`render::SCENE`] and one of the two; [`render::NODE_POSITIONS`] comes after
+/// [`STATE`].
 #[cfg(feature = "render")]
 pub mod render {
     shaders! {
@@ -108,8 +109,8 @@ pub mod render {
         LINES = "render/lines.wgsl";
         /// Kernel: from light to bytes.
         RESOLVE = "render/resolve.wgsl";
-        /// Kernel: where the nodes of a simulation are.
-        PLACES = "render/places.wgsl";
+        /// Kernel: positions of a simulation's nodes in f32.
+        NODE_POSITIONS = "render/node_positions.wgsl";
         /// Kernel: the nodes that lie farthest in some directions.
         EXTREMES = "render/extremes.wgsl";
     }

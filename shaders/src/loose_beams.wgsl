@@ -1,4 +1,4 @@
-// Beams on edges outside any face: a pass that most scenes do not have.
+// Beams on edges outside any triangle: a pass that most sheets do not have.
 
 struct LooseBeam {
     nodes: array<u32, 2>,
@@ -15,19 +15,19 @@ struct LooseBeam {
 fn loose_beam(instance: u32, b: u32) {
     let own = loose_beams[b];
     let base = instance * NODES;
-    let way = between(place(base + own.nodes[0]), place(base + own.nodes[1]));
-    let along = vector(way);
+    let displacement = difference(position_of(base + own.nodes[0]), position_of(base + own.nodes[1]));
+    let along = vector(displacement);
     let length = sqrt(dot(along, along));
     let rest = rest_length(own.rest_high, own.rest_low);
     let k = select(ea(instance), own.rigidity, own.rigidity > 0.0) / rest;
     var force = vec3<f32>(0.0);
     if (length > 0.0) {
-        let longer = excess(way, own.rest_high, own.rest_low);
+        let longer = excess(displacement, own.rest_high, own.rest_low);
         force = along * (k * longer / ((length + rest) * length));
     }
     if (DAMPED) {
-        let apart = nodes[base + own.nodes[1]].velocity - nodes[base + own.nodes[0]].velocity;
-        force += apart * (2.0 * zeta(instance) * sqrt(k));
+        let velocity_difference = nodes[base + own.nodes[1]].velocity - nodes[base + own.nodes[0]].velocity;
+        force += velocity_difference * (2.0 * zeta(instance) * sqrt(k));
     }
     let first = instance * SLOTS;
     slots[first + own.slots[0]] = vec4<f32>(force, 2.0 * k);

@@ -1,10 +1,10 @@
 // One material for all instances: constants of the pipeline.
 
-override EA: f32 = 20.0;
-override K_FOLD: f32 = 0.7;
-override K_FACET: f32 = 0.7;
-override K_FACE: f32 = 0.2;
-override ZETA: f32 = 0.45;
+override EA: f32;
+override K_FOLD: f32;
+override K_FACET: f32;
+override K_FACE: f32;
+override ZETA: f32;
 
 fn ea(instance: u32) -> f32 {
     return EA;

@@ -1,29 +1,29 @@
-// What all kernels share: the scene as constants, what lies where, and positions finer than f32.
+// What all kernels share: the sheet as constants, what lies where, and positions finer than f32.
 //
 // Every kernel works on all instances of an ensemble at once: `instance` is the second coordinate of its workgroup. One
 // sheet is an ensemble of one.
 
 // Sizes of one instance.
-override NODES: u32 = 1u;
-override CREASES: u32 = 0u;
-override FACES: u32 = 0u;
-override LOOSE_BEAMS: u32 = 0u;
-override SLOTS: u32 = 0u;
+override NODES: u32;
+override CREASES: u32;
+override FACES: u32;
+override LOOSE_BEAMS: u32;
+override SLOTS: u32;
 // Invocations of a workgroup, and how many workgroups the nodes of one instance fill.
-override WORKGROUP: u32 = 64u;
-override GROUPS: u32 = 1u;
+override WORKGROUP: u32;
+override GROUPS: u32;
 
-// What this scene and this solver need.
-override RELAXING: bool = false;
-override DAMPED: bool = false;
-override VERLET: bool = false;
-override FIXED: bool = false;
+// What this sheet and this solver need.
+override RELAXING: bool;
+override DAMPED: bool;
+override VERLET: bool;
+override FIXED: bool;
 
 // Constants of the core, by the names that they have there.
-override DEGENERATE: f32 = 1e-6;
-override HOLD: f32 = 0.1;
-override FARTHEST: f32 = 100.0;
-override LONGEST_MOVE: f32 = 1.0;
+override DEGENERATE: f32;
+override HOLD: f32;
+override FARTHEST: f32;
+override LONGEST_MOVE: f32;
 
 const NONE: u32 = 0xffffffffu;
 // Why an instance stands still.
@@ -53,8 +53,8 @@ struct CreaseState {
     angle: f32,
     moment: f32,
     // The target angles between which the ramp leads.
-    start: f32,
-    goal: f32,
+    start_target: f32,
+    end_target: f32,
 }
 
 struct Control {
@@ -65,8 +65,8 @@ struct Control {
     ramp_step: u32,
     ramp_length: u32,
     held: atomic<u32>,
-    // Settling, in ticks of the shortest window.
-    tick: u32,
+    // The stopping rule; time is counted in checks, one every CHECK_INTERVAL evaluations.
+    checks: u32,
     window_end: u32,
     settled_windows: u32,
     stops_when_settled: u32,
@@ -84,12 +84,12 @@ struct Control {
     previous_step: f32,
     next_step: f32,
     damping_sum: f32,
-    stiffest: atomic<u32>,
-    swiftest: atomic<u32>,
-    // The last state that was good.
-    farthest: atomic<u32>,
-    fastest: atomic<u32>,
-    kept_step: u32,
+    stiffness_max: atomic<u32>,
+    speed_squared_max: atomic<u32>,
+    // How good the state is, and the step of the last good one.
+    distance_squared_max: atomic<u32>,
+    move_squared_max: atomic<u32>,
+    checkpoint_step: u32,
     // Material, read where instances differ in it.
     ea: f32,
     k_fold: f32,
@@ -101,39 +101,41 @@ struct Control {
 @group(0) @binding(0) var<storage, read_write> control: array<Control>;
 @group(0) @binding(1) var<storage, read_write> nodes: array<Node>;
 @group(0) @binding(2) var<storage, read_write> crease_states: array<CreaseState>;
-// Force on a node from one of its faces; the last is what that face adds to the node's row sum of the stiffness.
+// Force on a node from one of its triangles; the last number is what that triangle adds to the row sum of the node's
+// stiffness.
 @group(0) @binding(5) var<storage, read_write> slots: array<vec4<f32>>;
 
-struct Place {
+// A position, or the difference of two, in two parts.
+struct SplitVector {
     high: vec3<i32>,
     low: vec3<f32>,
 }
 
-fn place(node: u32) -> Place {
-    return Place(nodes[node].high, nodes[node].low);
+fn position_of(node: u32) -> SplitVector {
+    return SplitVector(nodes[node].high, nodes[node].low);
 }
 
-// From one place to another, in the same two parts.
-fn between(start: Place, end: Place) -> Place {
-    return Place(end.high - start.high, end.low - start.low);
+// From one position to another, in the same two parts.
+fn difference(start: SplitVector, end: SplitVector) -> SplitVector {
+    return SplitVector(end.high - start.high, end.low - start.low);
 }
 
-fn vector(way: Place) -> vec3<f32> {
-    return vec3<f32>(way.high) * QUANTUM + way.low;
+fn vector(split: SplitVector) -> vec3<f32> {
+    return vec3<f32>(split.high) * QUANTUM + split.low;
 }
 
-// By how much the square of a way exceeds that at rest, which is given as integer times QUANTUM^2 and the rest. What makes
-// forces is this small difference of large squares: their high parts are subtracted as integers. (They hold up to 11 radii,
-// five times the largest sheet.)
-fn excess(way: Place, rest_high: i32, rest_low: f32) -> f32 {
-    let square = way.high * way.high;
+// By how much the squared length of a difference exceeds that at rest, which is given as integer times QUANTUM^2 and a
+// remainder. Forces come of this small difference of large squares: their high parts are subtracted as integers. (They hold
+// up to 11 radii, five times the largest sheet.)
+fn excess(apart: SplitVector, rest_high: i32, rest_low: f32) -> f32 {
+    let square = apart.high * apart.high;
     let whole = square.x + square.y + square.z - rest_high;
-    let mixed = 2.0 * QUANTUM * dot(vec3<f32>(way.high), way.low) + dot(way.low, way.low);
+    let mixed = 2.0 * QUANTUM * dot(vec3<f32>(apart.high), apart.low) + dot(apart.low, apart.low);
     return f32(whole) * (QUANTUM * QUANTUM) + (mixed - rest_low);
 }
 
 // The cross product: in a thin triangle it is such a difference too.
-fn cross_product(a: Place, b: Place) -> vec3<f32> {
+fn cross_product(a: SplitVector, b: SplitVector) -> vec3<f32> {
     let whole = a.high.yzx * b.high.zxy - a.high.zxy * b.high.yzx;
     let mixed = cross(vec3<f32>(a.high), b.low) + cross(a.low, vec3<f32>(b.high));
     return vec3<f32>(whole) * (QUANTUM * QUANTUM) + (mixed * QUANTUM + cross(a.low, b.low));
@@ -144,7 +146,7 @@ fn rest_length(rest_high: i32, rest_low: f32) -> f32 {
     return sqrt(f32(rest_high) * (QUANTUM * QUANTUM) + rest_low);
 }
 
-// The share of the way that the target angles have come.
+// How far the target angles have come on the ramp, from 0 to 1.
 fn ramp_share(instance: u32) -> f32 {
     let length = control[instance].ramp_length;
     if (length == 0u) {
@@ -159,16 +161,17 @@ fn beyond(x: f32, limit: f32) -> bool {
 }
 
 // Moves a node, and takes note where it leaves all bounds.
-fn advance(instance: u32, n: u32, way: vec3<f32>) {
+fn advance(instance: u32, n: u32, displacement: vec3<f32>) {
     let node = instance * NODES + n;
-    let fine = nodes[node].low + way;
+    let fine = nodes[node].low + displacement;
     let shift = round(fine * PER_QUANTUM);
     let high = nodes[node].high + vec3<i32>(shift);
     let low = fine - shift * QUANTUM;
     nodes[node].high = high;
     nodes[node].low = low;
     let position = vec3<f32>(high) * QUANTUM + low;
-    if (beyond(dot(position, position), FARTHEST * FARTHEST) || beyond(dot(way, way), LONGEST_MOVE * LONGEST_MOVE)) {
+    let too_far = beyond(dot(position, position), FARTHEST * FARTHEST);
+    if (too_far || beyond(dot(displacement, displacement), LONGEST_MOVE * LONGEST_MOVE)) {
         atomicMin(&control[instance].bad_node, n);
     }
 }

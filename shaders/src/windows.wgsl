@@ -1,10 +1,10 @@
-// The stopping rule's memory: where the nodes were, and what pulled them, when its window began.
+// The stopping rule's memory: positions of the nodes, and forces on them, when the window began.
 
-override WINDOWS: u32 = 5u;
-override SHARE: f32 = 0.3;
-override SMALL_SHARE: f32 = 0.03;
-override LEAST_TICKS: u32 = 8u;
-override SHARE_OF_PAST: f32 = 0.05;
+override WINDOWS: u32;
+override SHARE: f32;
+override SMALL_SHARE: f32;
+override LEAST_CHECKS: u32;
+override SHARE_OF_PAST: f32;
 
 struct Before {
     high: vec3<i32>,
@@ -17,11 +17,12 @@ struct Before {
 
 @group(0) @binding(11) var<storage, read_write> windows: array<Before>;
 
-// The ramp has come to its end, and a window with it or after it.
+// Whether a window of the stopping rule ends at this check.
 fn window_ends(instance: u32) -> bool {
-    return control[instance].tick == control[instance].window_end;
+    return control[instance].checks == control[instance].window_end;
 }
 
+// Whether the target angles have come to the end of the ramp: windows begin only then.
 fn ramp_is_done(instance: u32) -> bool {
     return control[instance].ramp_step >= control[instance].ramp_length;
 }

@@ -1,6 +1,6 @@
 // Dynamics of a small sheet: one workgroup an instance takes many steps, with barriers where the passes would be.
 
-override STEPS: u32 = 20u;
+override STEPS: u32;
 
 var<workgroup> goes_on: u32;
 
@@ -15,19 +15,19 @@ fn workgroup_dynamics(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_in
             break;
         }
         for (var c = local; c < CREASES; c += WORKGROUP) {
-            edge(instance, c);
+            fold_angle(instance, c);
         }
         storageBarrier();
         for (var f = local; f < FACES; f += WORKGROUP) {
-            face(instance, f);
+            forces_of_triangle(instance, f);
         }
         if (local == 0u) {
-            tick(instance);
+            advance_clock(instance);
         }
         storageBarrier();
         if (control[instance].stop == RUNNING) {
             for (var n = local; n < NODES; n += WORKGROUP) {
-                node_step(instance, n);
+                integrate_node(instance, n);
             }
         }
         storageBarrier();

@@ -1,6 +1,6 @@
 // Relaxation of a small sheet: one workgroup an instance makes many evaluations, with barriers where the passes would be.
 
-override STEPS: u32 = 20u;
+override STEPS: u32;
 
 var<workgroup> goes_on: u32;
 
@@ -18,12 +18,12 @@ fn workgroup_relax(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invoc
             break;
         }
         for (var c = local; c < CREASES; c += WORKGROUP) {
-            edge(instance, c);
+            fold_angle(instance, c);
         }
         storageBarrier();
         let renewal = renews(instance);
         for (var f = local; f < FACES; f += WORKGROUP) {
-            face(instance, f);
+            forces_of_triangle(instance, f);
             if (renewal) {
                 face_sums(instance, f);
             }
@@ -31,15 +31,15 @@ fn workgroup_relax(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invoc
         storageBarrier();
         var own = vec4<f32>(0.0);
         for (var n = local; n < NODES; n += WORKGROUP) {
-            own += weigh(instance, n);
+            own += reduce_node(instance, n);
         }
         let sums = workgroup_sum(local, own);
         if (local == 0u) {
-            fire(instance, sums);
+            update_fire(instance, sums);
         }
         storageBarrier();
         for (var n = local; n < NODES; n += WORKGROUP) {
-            fire_step(instance, n);
+            move_node(instance, n);
         }
         storageBarrier();
     }

@@ -380,8 +380,8 @@ mod tests {
             ("GeForce", Other, AdapterKind::Other),
             ("GeForce", Cpu, AdapterKind::Software),
         ];
-        for (name, told, expected) in cases {
-            assert_eq!(AdapterKind::of(&info(name, told)), expected, "{name}");
+        for (name, reported, expected) in cases {
+            assert_eq!(AdapterKind::of(&info(name, reported)), expected, "{name}");
         }
     }
 

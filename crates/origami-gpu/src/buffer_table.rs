@@ -6,29 +6,30 @@ use origami_core::generate::miura;
 use origami_core::{Material, Model};
 
 use crate::kernels::{
-    Kernel, decide, edges, faces, judge, keep, loose_beams, moves, nodes, renew, row_sums, settle, stiffest, survey,
-    weigh, workgroup_dynamics, workgroup_relax,
+    Kernel, checkpoint, fire_move, fire_update, fold_angles, integrate, loose_beams, reduce_forces, row_sums,
+    safe_time_step, settle_decide, settle_windows, state_bounds, stiffness_max, triangle_forces, workgroup_dynamics,
+    workgroup_relax,
 };
 use crate::paper::PAPER_PASSES;
-use crate::scene::Scene;
 use crate::shader_checks::{Checked, accesses, checked};
-use crate::variant::{Motion, Variant};
+use crate::sheet_arrays::SheetArrays;
+use crate::variant::{Scheme, Variant};
 
 const KERNELS: [&Kernel; 16] = [
-    &edges::KERNEL,
-    &faces::KERNEL,
+    &fold_angles::KERNEL,
+    &triangle_forces::KERNEL,
     &loose_beams::KERNEL,
-    &nodes::KERNEL,
+    &integrate::KERNEL,
     &row_sums::KERNEL,
-    &stiffest::KERNEL,
-    &renew::KERNEL,
-    &weigh::KERNEL,
-    &decide::KERNEL,
-    &moves::KERNEL,
-    &settle::KERNEL,
-    &judge::KERNEL,
-    &survey::KERNEL,
-    &keep::KERNEL,
+    &stiffness_max::KERNEL,
+    &safe_time_step::KERNEL,
+    &reduce_forces::KERNEL,
+    &fire_update::KERNEL,
+    &fire_move::KERNEL,
+    &settle_windows::KERNEL,
+    &settle_decide::KERNEL,
+    &state_bounds::KERNEL,
+    &checkpoint::KERNEL,
     &workgroup_dynamics::KERNEL,
     &workgroup_relax::KERNEL,
 ];
@@ -80,24 +81,24 @@ fn readme() -> String {
     std::fs::read_to_string(path).expect("it is there")
 }
 
-fn assert_same(told: &Table, there: &Table) {
+fn assert_same(reported: &Table, there: &Table) {
     assert!(!there.is_empty());
-    for binding in told.keys().chain(there.keys()) {
-        assert_eq!(told.get(binding), there.get(binding), "binding {binding}: in README.md, in the shaders");
+    for binding in reported.keys().chain(there.keys()) {
+        assert_eq!(reported.get(binding), there.get(binding), "binding {binding}: in README.md, in the shaders");
     }
 }
 
 #[test]
 fn the_pipeline_has_the_buffers_that_the_table_tells() {
     let model = Model::new(&miura(2, 2).expect("valid"), &Material::default()).expect("a generated pattern");
-    let variant = Variant::new(&Scene::new(&[&model]), Motion::Relax, Some(Material::default()));
-    // With and without what a scene may have. One workgroup takes no scene with rigidities: eight buffers are all there is.
+    let variant = Variant::new(&SheetArrays::new(&[&model]), Scheme::Relax, Some(Material::default()));
+    // With and without what a sheet may have. One workgroup takes no scene with rigidities: eight buffers are all there is.
     let several = |k: &&&Kernel| !k.name.starts_with("workgroup") && k.springs;
     let plain = KERNELS.iter().map(|k| (*k, variant.clone()));
     let rich = KERNELS.iter().filter(several).map(|k| (*k, Variant { rigidities: true, ..variant.clone() }));
     let there = found(plain.chain(rich).map(|(k, variant)| (k.name, k.entry, checked(k.name, &k.source(&variant)))));
-    let told = table(&readme(), "The pipeline", &KERNELS.map(|k| k.name));
-    assert_same(&told, &there);
+    let reported = table(&readme(), "The pipeline", &KERNELS.map(|k| k.name));
+    assert_same(&reported, &there);
 }
 
 #[test]
@@ -109,14 +110,14 @@ fn the_papers_passes_have_the_buffers_that_the_table_tells() {
 #[test]
 fn a_wrong_table_is_found() {
     let text = "\n## A\n\n| binding | buffer |\n|---|---|\n| 3 | `sums` | a | b | c | host, `one` | all |\n\n## B\n| 4 | `x` |";
-    let told = table(text, "A", &["one", "two"]);
+    let reported = table(text, "A", &["one", "two"]);
     let names = |names: &[&str]| names.iter().map(ToString::to_string).collect::<BTreeSet<String>>();
     let there = Table::from([(3, ("sums".to_owned(), names(&["one"]), names(&["one", "two"])))]);
-    assert_same(&told, &there);
-    let differs = |other: Table| std::panic::catch_unwind(|| assert_same(&told, &other)).is_err();
+    assert_same(&reported, &there);
+    let differs = |other: Table| std::panic::catch_unwind(|| assert_same(&reported, &other)).is_err();
     let row = &there[&3];
     assert!(differs(Table::from([(3, ("total".to_owned(), row.1.clone(), row.2.clone()))])), "name");
     assert!(differs(Table::from([(2, row.clone())])), "binding");
-    assert!(differs(Table::from([(3, row.clone()), (4, row.clone())])), "a buffer that is not told");
+    assert!(differs(Table::from([(3, row.clone()), (4, row.clone())])), "a buffer that is not reported");
     assert!(differs(Table::from([(3, (row.0.clone(), names(&[]), row.2.clone()))])), "who writes");
 }

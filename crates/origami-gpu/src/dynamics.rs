@@ -6,12 +6,12 @@ use crate::engine::{Dispatch, Engine, Purpose};
 use crate::layout::Control;
 use crate::run::Beginning;
 use crate::solver::{Method, backend, folded, progress};
-use crate::variant::Motion;
+use crate::variant::Scheme;
 
 impl Method for Dynamics {
     fn purpose(&self, damped: bool, dispatch: Dispatch) -> Purpose {
         let verlet = self.integrator == Integrator::Verlet;
-        Purpose { motion: Motion::Dynamics { verlet, damped }, safe: self.time_step == TimeStep::Safe, dispatch }
+        Purpose { scheme: Scheme::Dynamics { verlet, damped }, safe: self.time_step == TimeStep::Safe, dispatch }
     }
 
     fn run(
@@ -21,15 +21,15 @@ impl Method for Dynamics {
         observe: &mut dyn FnMut(usize, Progress),
     ) -> Vec<Result<Folded, Failed>> {
         let beginnings: Vec<Beginning<'_>> = instances.iter().map(|i| beginning(self, i)).collect();
-        let mut told = |i: usize, control: &Control| observe(i, progress(control));
-        let endings = match engine.run(&beginnings, &mut told) {
+        let mut report = |i: usize, control: &Control| observe(i, progress(control));
+        let endings = match engine.run(&beginnings, &mut report) {
             Ok(endings) => endings,
             Err(error) => return instances.iter().map(|i| Err(backend(error.clone(), &i.start, 0))).collect(),
         };
-        let motion = engine.variant.motion;
+        let scheme = engine.variant.scheme;
         let came_to = |(instance, ending): (&Instance<'_>, _)| {
             let targets = instance.model.targets(instance.percent);
-            folded(instance.model, instance.percent, targets, self.steps.is_some(), ending, motion)
+            folded(instance.model, instance.percent, targets, self.steps.is_some(), ending, scheme)
         };
         instances.iter().zip(&endings).map(came_to).collect()
     }
@@ -41,7 +41,7 @@ fn beginning<'m>(dynamics: &Dynamics, instance: &Instance<'m>) -> Beginning<'m> 
     Beginning {
         model,
         state: instance.start.clone(),
-        goals: model.targets(instance.percent),
+        targets: model.targets(instance.percent),
         ramp: dynamics.ramp,
         limit: dynamics.steps.unwrap_or(dynamics.max_steps),
         tolerance: dynamics.tolerance,

@@ -1,11 +1,11 @@
-//! Many sheets in one run: instances whose springs lie at the same places share one buffer set.
+//! Many sheets in one run: instances whose springs lie in the same places share one buffer set.
 
 use origami_core::model::Model;
 use origami_core::solve::{Failed, Folded, Instance, Progress};
 
 use crate::device::Gpu;
 use crate::engine::{Engine, Purpose, most_instances, uniform};
-use crate::scene::{Scene, same_springs};
+use crate::sheet_arrays::{SheetArrays, same_springs};
 use crate::solver::{Method, backend};
 
 /// Runs all instances; results in their order.
@@ -16,29 +16,29 @@ pub(crate) fn fold_all<S: Method>(
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) + Sync),
 ) -> Vec<Result<Folded, Failed>> {
-    let most = |scene: &Scene| most_instances(gpu, scene, purpose.motion);
+    let most = |arrays: &SheetArrays| most_instances(gpu, arrays, purpose.scheme);
     in_runs(gpu, method, purpose, instances, observe, most)
 }
 
-/// The same with at most as many instances in one run as `most` says of their scene.
+/// The same with at most as many instances in one run as `most` says of their arrays.
 fn in_runs<S: Method>(
     gpu: &Gpu,
     method: &S,
     purpose: Purpose,
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) + Sync),
-    most: impl Fn(&Scene) -> usize,
+    most: impl Fn(&SheetArrays) -> usize,
 ) -> Vec<Result<Folded, Failed>> {
     let mut results: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
     for group in groups(instances) {
         let models = different(group.iter().map(|i| instances[*i].model));
-        let scene = Scene::new(&models);
-        let most = most(&scene);
-        let mut engine = Engine::of_scene(gpu, &scene, uniform(&models), purpose, group.len().min(most));
+        let arrays = SheetArrays::new(&models);
+        let most = most(&arrays);
+        let mut engine = Engine::of_arrays(gpu, &arrays, uniform(&models), purpose, group.len().min(most));
         for part in group.chunks(most) {
             let own: Vec<Instance<'_>> = part.iter().map(|i| instances[*i].clone()).collect();
             let came_to = match &mut engine {
-                Ok(engine) => method.run(engine, &own, &mut |place, progress| observe(part[place], progress)),
+                Ok(engine) => method.run(engine, &own, &mut |slot, progress| observe(part[slot], progress)),
                 Err(error) => own.iter().map(|i| Err(backend(error.clone(), &i.start, 0))).collect(),
             };
             for (i, result) in part.iter().zip(came_to) {
@@ -60,7 +60,7 @@ fn different<'m>(models: impl Iterator<Item = &'m Model>) -> Vec<&'m Model> {
     different
 }
 
-/// Places of instances that can share a scene.
+/// Indices of instances that can share one set of arrays.
 fn groups(instances: &[Instance<'_>]) -> Vec<Vec<usize>> {
     let mut groups: Vec<(&Model, Vec<usize>)> = Vec::new();
     for (i, instance) in instances.iter().enumerate() {
@@ -100,15 +100,18 @@ mod tests {
         let model = Model::new(&bird(), &Material::default()).expect("a model");
         let instances: Vec<Instance<'_>> = (0..7).map(|i| instance(&model, 10.0 * f64::from(i))).collect();
         let purpose = method.purpose(true, dispatch);
-        let told = std::sync::Mutex::new(vec![0; instances.len()]);
+        let reported = std::sync::Mutex::new(vec![0; instances.len()]);
         let in_runs_of = |most: usize| {
-            let told = |i: usize, _| told.lock().expect("no panic")[i] += 1;
-            states(in_runs(gpu, method, purpose, &instances, &told, |_| most))
+            let reported = |i: usize, _| reported.lock().expect("no panic")[i] += 1;
+            states(in_runs(gpu, method, purpose, &instances, &reported, |_| most))
         };
         let at_once = in_runs_of(100);
         assert_eq!(in_runs_of(3), at_once);
         assert_eq!(in_runs_of(1), at_once);
-        assert!(told.lock().expect("no panic").iter().all(|told| *told >= 3), "each is told of by its own place");
+        assert!(
+            reported.lock().expect("no panic").iter().all(|reported| *reported >= 3),
+            "each is reported by its own index"
+        );
         let one_by_one = gpu.with(method.clone()).dispatch(dispatch);
         for (instance, state) in instances.iter().zip(&at_once) {
             let folded = one_by_one.fold(&model, &instance.start, instance.percent, &mut |_| {}).expect("it holds");
@@ -127,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn only_models_with_the_same_springs_share_a_scene() {
+    fn only_models_with_the_same_springs_share_buffers() {
         let plain = Material::default();
         let material = [
             plain,

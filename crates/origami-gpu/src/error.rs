@@ -40,7 +40,7 @@ pub enum GpuError {
     /// A buffer does not fit into its memory.
     #[error("the GPU has too little memory: {0}")]
     OutOfMemory(String),
-    /// The scene needs more than the adapter can do.
+    /// The sheet needs more than the adapter can do.
     #[error("{what} needs {needed} bytes; the adapter allows {allowed} (expected a smaller sheet or another adapter)")]
     TooLarge {
         /// The buffer.
@@ -50,7 +50,7 @@ pub enum GpuError {
         /// The adapter's limit.
         allowed: u64,
     },
-    /// The scene has more elements of a kind than one dispatch can count.
+    /// The sheet has more elements of a kind than one dispatch can count.
     #[error("the sheet has {count} elements of a kind; one dispatch takes {allowed} (expected a smaller sheet)")]
     TooManyElements {
         /// How many there are.

@@ -1,28 +1,31 @@
-//! What a scene's pipelines hold and do without.
+//! What a sheet's pipelines hold and do without.
 
 use origami_core::model::{Built, Inventory, LeftOut, Model};
 
 use crate::engine::{Purpose, is_by_workgroup};
 use crate::plan::Plan;
-use crate::scene::Scene;
+use crate::sheet_arrays::SheetArrays;
 use crate::variant::Variant;
 
 /// The model's inventory `inventory`, and what the GPU's pipelines add to it.
 pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose) -> Inventory {
-    let scene = Scene::new(&[model]);
-    let variant = Variant::new(&scene, purpose.motion, Some(model.material));
+    let arrays = SheetArrays::new(&[model]);
+    let variant = Variant::new(&arrays, purpose.scheme, Some(model.material));
     let mut built = |what, count| inventory.built.push(Built { what, count });
-    if is_by_workgroup(&scene, &variant, purpose) {
+    if is_by_workgroup(&arrays, &variant, purpose) {
         built("passes in one workgroup", 1);
     } else {
         let plan = Plan::new(&variant, purpose.safe);
-        built("passes over all elements", plan.forces.len() - usize::from(variant.loose_beams > 0) + plan.motion.len());
+        built(
+            "passes over all elements",
+            plan.forces.len() - usize::from(variant.loose_beams > 0) + plan.integration.len(),
+        );
     }
     if variant.loose_beams > 0 {
         built("pass of loose beams", variant.loose_beams);
     }
     if variant.rigidities {
-        built("buffer of rigidities", scene.rigidities.len());
+        built("buffer of rigidities", arrays.rigidities.len());
     }
     let mut without = |what, why| inventory.left_out.push(LeftOut { what, count: 0, why });
     if variant.loose_beams == 0 {

@@ -29,7 +29,7 @@ pub(crate) struct Node {
 impl Node {
     /// A node at `position`, which is kept to 4e-12 radii.
     #[expect(clippy::cast_possible_truncation, reason = "high saturates beyond 500 000 radii; low is a remainder")]
-    pub(crate) fn place(&mut self, position: DVec3) {
+    pub(crate) fn set_position(&mut self, position: DVec3) {
         let high = (position / QUANTUM).round();
         self.high = high.to_array().map(|x| x as i32);
         self.low = (position - high * QUANTUM).to_array().map(|x| x as f32);
@@ -59,17 +59,17 @@ pub(crate) fn single(v: DVec3) -> [f32; 3] {
     v.to_array().map(|x| x as f32)
 }
 
-/// A crease in motion; angles in radians.
+/// The state of a crease; angles in radians. The ramp leads from `start_target` to `end_target`.
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct CreaseState {
     pub(crate) angle: f32,
     pub(crate) moment: f32,
-    pub(crate) start: f32,
-    pub(crate) goal: f32,
+    pub(crate) start_target: f32,
+    pub(crate) end_target: f32,
 }
 
-/// What leads one instance.
+/// The control block of one instance: where it stands, and what the passes share.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct Control {
@@ -80,7 +80,7 @@ pub(crate) struct Control {
     pub(crate) ramp_step: u32,
     pub(crate) ramp_length: u32,
     pub(crate) held: u32,
-    pub(crate) tick: u32,
+    pub(crate) checks: u32,
     pub(crate) window_end: u32,
     pub(crate) settled_windows: u32,
     pub(crate) stops_when_settled: u32,
@@ -96,11 +96,11 @@ pub(crate) struct Control {
     pub(crate) previous_step: f32,
     pub(crate) next_step: f32,
     pub(crate) damping_sum: f32,
-    pub(crate) stiffest: u32,
-    pub(crate) swiftest: u32,
-    pub(crate) farthest: u32,
-    pub(crate) fastest: u32,
-    pub(crate) kept_step: u32,
+    pub(crate) stiffness_max: u32,
+    pub(crate) speed_squared_max: u32,
+    pub(crate) distance_squared_max: u32,
+    pub(crate) move_squared_max: u32,
+    pub(crate) checkpoint_step: u32,
     pub(crate) ea: f32,
     pub(crate) k_fold: f32,
     pub(crate) k_facet: f32,
@@ -167,7 +167,7 @@ pub(crate) struct Before {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernels::{Kernel, faces, loose_beams, row_sums, settle};
+    use crate::kernels::{Kernel, loose_beams, row_sums, settle_windows, triangle_forces};
     use crate::shader_checks::{Checked, checked, same_layout};
     use crate::testing::variants;
 
@@ -178,12 +178,12 @@ mod tests {
 
     #[test]
     fn structs_lie_as_in_the_shaders() {
-        let faces = shader(&faces::KERNEL);
-        same_layout!(&faces, Node { high, fixed_in_place, low, mass, velocity, softness, force, unused });
-        same_layout!(&faces, CreaseState { angle, moment, start, goal });
-        same_layout!(&faces, Face { nodes, slots, sides, rest_high, rest_low });
+        let forces = shader(&triangle_forces::KERNEL);
+        same_layout!(&forces, Node { high, fixed_in_place, low, mass, velocity, softness, force, unused });
+        same_layout!(&forces, CreaseState { angle, moment, start_target, end_target });
+        same_layout!(&forces, Face { nodes, slots, sides, rest_high, rest_low });
         same_layout!(
-            &faces,
+            &forces,
             Control {
                 stop,
                 step,
@@ -192,7 +192,7 @@ mod tests {
                 ramp_step,
                 ramp_length,
                 held,
-                tick,
+                checks,
                 window_end,
                 settled_windows,
                 stops_when_settled,
@@ -208,11 +208,11 @@ mod tests {
                 previous_step,
                 next_step,
                 damping_sum,
-                stiffest,
-                swiftest,
-                farthest,
-                fastest,
-                kept_step,
+                stiffness_max,
+                speed_squared_max,
+                distance_squared_max,
+                move_squared_max,
+                checkpoint_step,
                 ea,
                 k_fold,
                 k_facet,
@@ -224,7 +224,7 @@ mod tests {
         same_layout!(&hinges, Hinge { apex_one, apex_two, end_one, end_two, length, kind });
         let loose = shader(&loose_beams::KERNEL);
         same_layout!(&loose, LooseBeam { nodes, slots, rest_high, rest_low, rigidity });
-        let windows = shader(&settle::KERNEL);
+        let windows = shader(&settle_windows::KERNEL);
         same_layout!(&windows, Before { high, unused, low, unused_too, force, unused_as_well });
     }
 
@@ -264,7 +264,7 @@ mod tests {
         for x in [0.0, 1.0, -0.1, 1.0 / 3.0, -99.9, 1e-9, 7.6e-6] {
             let position = DVec3::new(x, -x, 0.5 * x);
             let mut node = Node::default();
-            node.place(position);
+            node.set_position(position);
             assert!(node.position().distance(position) < 1e-11, "{x}");
             assert!(node.low.iter().all(|low| f64::from(low.abs()) <= 0.51 * QUANTUM), "{x}: {:?}", node.low);
         }

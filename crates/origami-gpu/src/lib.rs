@@ -20,9 +20,9 @@ mod relax;
 #[cfg(feature = "render")]
 pub mod render;
 mod run;
-mod scene;
 #[cfg(test)]
 mod shader_checks;
+mod sheet_arrays;
 mod solver;
 #[cfg(test)]
 mod testing;

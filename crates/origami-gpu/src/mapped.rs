@@ -60,19 +60,19 @@ impl<T: Pod> Reading<T> {
 #[derive(Debug)]
 struct Mapped {
     buffer: wgpu::Buffer,
-    told: Receiver<Result<(), wgpu::BufferAsyncError>>,
+    answer: Receiver<Result<(), wgpu::BufferAsyncError>>,
 }
 
 impl Mapped {
     /// Asks for all of `buffer`, once what was submitted before is done. A refusal goes to the error scope that this is called
     /// in.
     fn new(buffer: wgpu::Buffer) -> Self {
-        let (tell, told) = channel();
+        let (tell, answer) = channel();
         buffer.map_async(wgpu::MapMode::Read, .., move |result| {
             // Nobody may be waiting any more.
             let _ = tell.send(result);
         });
-        Self { buffer, told }
+        Self { buffer, answer }
     }
 
     /// Its first `size` bytes. To be called when what was submitted is done; `what` it holds, for people.
@@ -84,9 +84,9 @@ impl Mapped {
     /// As [`Gpu::check`], and [`GpuError::Refused`] where it could not be mapped.
     fn contents<T: Pod>(&self, gpu: &Gpu, what: &str, size: u64) -> Result<Vec<T>, GpuError> {
         let refused = |why: String| GpuError::Refused(format!("{what} could not be read: {why}"));
-        let told = self.told.recv_timeout(PATIENCE);
+        let answer = self.answer.recv_timeout(PATIENCE);
         gpu.check()?;
-        told.map_err(|_| refused("it was not mapped".to_owned()))?.map_err(|error| refused(error.to_string()))?;
+        answer.map_err(|_| refused("it was not mapped".to_owned()))?.map_err(|error| refused(error.to_string()))?;
         let view = self.buffer.get_mapped_range(..).map_err(|error| refused(error.to_string()))?;
         // A mapped buffer need not be aligned as the contents are.
         let size = usize::try_from(size).unwrap_or(usize::MAX).min(view.len());
@@ -127,7 +127,7 @@ mod tests {
             scope.spawn(|| gpu.wait().expect("it holds"));
             begun.recv().expect("the other thread has both callbacks, and is busy with the first");
             gpu.wait_for(submission).expect("done long ago");
-            assert!(mapped.told.try_recv().is_err(), "why waiting for the submission does not suffice");
+            assert!(mapped.answer.try_recv().is_err(), "why waiting for the submission does not suffice");
             assert_eq!(mapped.contents(&gpu, "the numbers", 8), Ok(vec![3_u32, 4]));
         });
     }

@@ -6,7 +6,7 @@ use crate::device::Gpu;
 use crate::kernels::{Binding, Kernel, Per};
 use crate::variant::Variant;
 
-/// The buffers of a scene.
+/// The buffers of a sheet.
 pub(crate) type Buffers = BTreeMap<Binding, wgpu::Buffer>;
 
 /// A kernel that can be dispatched.
@@ -19,9 +19,9 @@ pub(crate) struct Pass {
 
 impl Pass {
     /// Builds `kernel` for `variant`. Where it is refused, wgpu says so to the error scope that this is called in.
-    pub(crate) fn new(gpu: &Gpu, kernel: &Kernel, variant: &Variant, ticks: bool, buffers: &Buffers) -> Self {
+    pub(crate) fn new(gpu: &Gpu, kernel: &Kernel, variant: &Variant, advances_clock: bool, buffers: &Buffers) -> Self {
         let source = kernel.source(variant);
-        let constants = asked_for(&source, variant.constants(ticks));
+        let constants = asked_for(&source, variant.constants(advances_clock));
         let module = gpu.device().create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(kernel.name),
             source: wgpu::ShaderSource::Wgsl(source.into()),

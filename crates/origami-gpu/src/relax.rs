@@ -8,11 +8,11 @@ use crate::error::GpuError;
 use crate::layout::Control;
 use crate::run::Beginning;
 use crate::solver::{Method, backend, folded, progress};
-use crate::variant::Motion;
+use crate::variant::Scheme;
 
 impl Method for Relax {
     fn purpose(&self, _damped: bool, dispatch: Dispatch) -> Purpose {
-        Purpose { motion: Motion::Relax, safe: false, dispatch }
+        Purpose { scheme: Scheme::Relax, safe: false, dispatch }
     }
 
     /// Runs instances until each has made all its attempts.
@@ -25,23 +25,23 @@ impl Method for Relax {
         let relax = self;
         let first = |i: &Instance<'_>| relax.first_attempt(i.model, &i.start, i.percent);
         let mut active: Vec<(usize, Attempt)> = instances.iter().map(first).enumerate().collect();
-        let mut kept: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
+        let mut best_so_far: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
         while !active.is_empty() {
             let beginnings: Vec<Beginning<'_>> =
                 active.iter().map(|(i, attempt)| beginning(relax, &instances[*i], *attempt)).collect();
-            let so_far = |i: usize| match &kept[i] {
+            let so_far = |i: usize| match &best_so_far[i] {
                 Some(Ok(folded)) => folded.steps,
                 _ => 0,
             };
-            let mut told = |place: usize, control: &Control| {
-                let i = active[place].0;
-                let told = progress(control);
-                observe(i, Progress { step: so_far(i) + told.step, ..told });
+            let mut report = |slot: usize, control: &Control| {
+                let i = active[slot].0;
+                let own = progress(control);
+                observe(i, Progress { step: so_far(i) + own.step, ..own });
             };
-            let endings = match engine.run(&beginnings, &mut told) {
+            let endings = match engine.run(&beginnings, &mut report) {
                 Ok(endings) => endings,
                 Err(error) => {
-                    return gave_up(kept, instances, &active, &error);
+                    return gave_up(best_so_far, instances, &active, &error);
                 }
             };
             let mut next = Vec::new();
@@ -49,23 +49,23 @@ impl Method for Relax {
                 let instance = &instances[i];
                 let targets = instance.model.targets(instance.percent);
                 let asked = relax.steps.is_some();
-                let came_to = folded(instance.model, instance.percent, targets, asked, ending, Motion::Relax);
-                let best = match (kept[i].take(), came_to) {
+                let came_to = folded(instance.model, instance.percent, targets, asked, ending, Scheme::Relax);
+                let best = match (best_so_far[i].take(), came_to) {
                     (None, came_to) => came_to,
                     // The state at hand is finite: another way that diverges does not take it away.
-                    (Some(Ok(kept)), Ok(other)) => Ok(lower(instance.model, kept, other, attempt.number)),
-                    (Some(kept), _) => kept,
+                    (Some(Ok(one)), Ok(other)) => Ok(lower(instance.model, one, other, attempt.number)),
+                    (Some(one), _) => one,
                 };
                 if let Ok(folded) = &best
                     && let Some(attempt) = relax.next_attempt(instance.model, &instance.start, attempt, folded)
                 {
                     next.push((i, attempt));
                 }
-                kept[i] = Some(best);
+                best_so_far[i] = Some(best);
             }
             active = next;
         }
-        kept.into_iter().flatten().collect()
+        best_so_far.into_iter().flatten().collect()
     }
 }
 
@@ -74,7 +74,7 @@ fn beginning<'m>(relax: &Relax, instance: &Instance<'m>, attempt: Attempt) -> Be
     Beginning {
         model: instance.model,
         state: relax.beginning(instance.model, &instance.start, instance.percent),
-        goals: instance.model.targets(instance.percent),
+        targets: instance.model.targets(instance.percent),
         ramp: attempt.ramp,
         limit: attempt.limit,
         tolerance: relax.tolerance,
@@ -86,15 +86,15 @@ fn beginning<'m>(relax: &Relax, instance: &Instance<'m>, attempt: Attempt) -> Be
 
 /// Every instance that has no result fails for the same reason.
 fn gave_up(
-    kept: Vec<Option<Result<Folded, Failed>>>,
+    best_so_far: Vec<Option<Result<Folded, Failed>>>,
     instances: &[Instance<'_>],
     active: &[(usize, Attempt)],
     error: &GpuError,
 ) -> Vec<Result<Folded, Failed>> {
-    let failed = |i: usize, kept: Option<Result<Folded, Failed>>| match kept {
+    let failed = |i: usize, result: Option<Result<Folded, Failed>>| match result {
         Some(result) if active.iter().all(|(a, _)| *a != i) => result,
         Some(Ok(read)) => Err(backend(error.clone(), &read.state, read.steps)),
         _ => Err(backend(error.clone(), &instances[i].start, 0)),
     };
-    kept.into_iter().enumerate().map(|(i, kept)| failed(i, kept)).collect()
+    best_so_far.into_iter().enumerate().map(|(i, result)| failed(i, result)).collect()
 }

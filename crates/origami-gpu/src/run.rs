@@ -14,15 +14,15 @@ use crate::layout::{Control, CreaseState, NONE, Node, single};
 use crate::mapped::Reading;
 use crate::plan::batch;
 
-/// Submissions that are under way before the oldest is looked at: the queue never stands still.
+/// Submissions that are under way before the oldest is reading at: the queue never stands still.
 const AHEAD: usize = 2;
 
-/// Where an instance begins, and what leads it.
+/// Where an instance begins, and how far it is to go.
 pub(crate) struct Beginning<'m> {
     pub(crate) model: &'m Model,
     pub(crate) state: State,
-    /// Angles asked for in the end, by crease.
-    pub(crate) goals: Vec<f64>,
+    /// Target angles at the end of the ramp, by crease; it begins at those of `state`.
+    pub(crate) targets: Vec<f64>,
     pub(crate) ramp: u32,
     pub(crate) limit: u64,
     pub(crate) tolerance: f64,
@@ -40,7 +40,7 @@ pub(crate) struct Ending {
     pub(crate) nodes: Vec<Node>,
     pub(crate) creases: Vec<CreaseState>,
     /// The last good state, where it has diverged.
-    pub(crate) kept: Option<(Vec<Node>, Vec<f32>)>,
+    pub(crate) checkpoint: Option<(Vec<Node>, Vec<f32>)>,
 }
 
 impl Engine {
@@ -67,16 +67,16 @@ impl Engine {
                 step = to;
             }
             if under_way.len() > AHEAD || step == limit {
-                let Some((to, looked)) = under_way.pop_front() else { break };
-                let controls = looked.wait(&self.gpu)?;
+                let Some((to, reading)) = under_way.pop_front() else { break };
+                let controls = reading.wait(&self.gpu)?;
                 controls.iter().enumerate().for_each(|(i, control)| observe(i, control));
                 self.check_steps(&controls, to)?;
                 running = controls.iter().any(|c| c.stop == 0 && c.bad_node == NONE);
             }
         }
         // What still is under way finds all instances standing still.
-        for (_, looked) in under_way {
-            looked.wait(&self.gpu)?;
+        for (_, reading) in under_way {
+            reading.wait(&self.gpu)?;
         }
         self.endings(beginnings.len())
     }
@@ -111,19 +111,19 @@ impl Engine {
             for ((position, velocity), softness) in start.positions.iter().zip(&start.velocities).zip(&softness) {
                 let velocity = if relaxing { DVec3::ZERO } else { *velocity };
                 let mut node = Node { mass: 1.0, softness: *softness, velocity: single(velocity), ..Node::default() };
-                node.place(*position);
+                node.set_position(*position);
                 nodes.push(node);
             }
             let first = nodes.len() - self.variant.nodes;
             for fixed in &beginning.model.fixed {
                 nodes[first + fixed.index()].fixed_in_place = 1;
             }
-            let angles = start.fold_angles.iter().zip(&start.targets).zip(&beginning.goals);
-            creases.extend(angles.map(|((angle, start), goal)| CreaseState {
+            let angles = start.fold_angles.iter().zip(&start.targets).zip(&beginning.targets);
+            creases.extend(angles.map(|((angle, start), end)| CreaseState {
                 angle: narrow(*angle),
                 moment: 0.0,
-                start: narrow(*start),
-                goal: narrow(*goal),
+                start_target: narrow(*start),
+                end_target: narrow(*end),
             }));
         }
         let angles: Vec<f32> = creases.iter().map(|c: &CreaseState| c.angle).collect();
@@ -132,8 +132,8 @@ impl Engine {
             self.write(Binding::Nodes, &nodes);
             self.write(Binding::CreaseStates, &creases);
             // The start is the first good state.
-            self.write(Binding::KeptNodes, &nodes);
-            self.write(Binding::KeptAngles, &angles);
+            self.write(Binding::CheckpointNodes, &nodes);
+            self.write(Binding::CheckpointAngles, &angles);
         })
     }
 
@@ -152,22 +152,22 @@ impl Engine {
                 let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
                 self.record(&mut pass, count, from, to);
             }
-            self.look(encoder, Binding::Control, instances)
+            self.start_reading(encoder, Binding::Control, instances)
         })
     }
 
     /// Copies the first `count` of a buffer for reading, after all that `encoder` has recorded.
-    fn look<T: Pod>(&self, encoder: wgpu::CommandEncoder, binding: Binding, count: usize) -> Reading<T> {
+    fn start_reading<T: Pod>(&self, encoder: wgpu::CommandEncoder, binding: Binding, count: usize) -> Reading<T> {
         Reading::new(&self.gpu, encoder, &self.buffers[&binding], count, binding.what())
     }
 
     /// All of a buffer's first `count`.
     pub(crate) fn read<T: Pod>(&self, binding: Binding, count: usize) -> Result<Vec<T>, GpuError> {
-        let looked = self.gpu.scoped(|| {
+        let reading = self.gpu.scoped(|| {
             let encoder = self.gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            self.look(encoder, binding, count)
+            self.start_reading(encoder, binding, count)
         })?;
-        looked.wait(&self.gpu)
+        reading.wait(&self.gpu)
     }
 
     fn endings(&self, instances: usize) -> Result<Vec<Ending>, GpuError> {
@@ -176,10 +176,10 @@ impl Engine {
         let nodes: Vec<Node> = self.read(Binding::Nodes, instances * node_count)?;
         let creases: Vec<CreaseState> = self.read(Binding::CreaseStates, instances * crease_count)?;
         let diverged = controls.iter().any(|c| c.bad_node != NONE);
-        let kept_nodes: Vec<Node> =
-            if diverged { self.read(Binding::KeptNodes, instances * node_count)? } else { Vec::new() };
-        let kept_angles: Vec<f32> =
-            if diverged { self.read(Binding::KeptAngles, instances * crease_count)? } else { Vec::new() };
+        let checkpoint_nodes: Vec<Node> =
+            if diverged { self.read(Binding::CheckpointNodes, instances * node_count)? } else { Vec::new() };
+        let checkpoint_angles: Vec<f32> =
+            if diverged { self.read(Binding::CheckpointAngles, instances * crease_count)? } else { Vec::new() };
         let ending = |(i, control): (usize, Control)| {
             let own_nodes = i * node_count..(i + 1) * node_count;
             let own_creases = i * crease_count..(i + 1) * crease_count;
@@ -188,7 +188,8 @@ impl Engine {
                 control,
                 nodes: nodes[own_nodes.clone()].to_vec(),
                 creases: creases[own_creases.clone()].to_vec(),
-                kept: bad.then(|| (kept_nodes[own_nodes].to_vec(), kept_angles[own_creases].to_vec())),
+                checkpoint: bad
+                    .then(|| (checkpoint_nodes[own_nodes].to_vec(), checkpoint_angles[own_creases].to_vec())),
             }
         };
         Ok(controls.into_iter().enumerate().map(ending).collect())
@@ -197,7 +198,7 @@ impl Engine {
 
 fn control(beginning: &Beginning<'_>) -> Control {
     let material = beginning.model.material;
-    let ramp = if beginning.goals == beginning.state.targets { 0 } else { beginning.ramp };
+    let ramp = if beginning.targets == beginning.state.targets { 0 } else { beginning.ramp };
     Control {
         limit: u32::try_from(beginning.limit).unwrap_or(u32::MAX),
         bad_node: NONE,

@@ -74,16 +74,16 @@ pub(crate) use same_layout;
 
 /// The bindings of group 0 that an entry point touches, itself or through what it calls.
 pub(crate) fn bindings(shader: &Checked, entry: &str) -> BTreeSet<u32> {
-    let place = shader.module.entry_points.iter().position(|e| e.name == entry);
-    let uses = shader.info.get_entry_point(place.unwrap_or_else(|| panic!("there is no entry point {entry}")));
+    let index = shader.module.entry_points.iter().position(|e| e.name == entry);
+    let uses = shader.info.get_entry_point(index.unwrap_or_else(|| panic!("there is no entry point {entry}")));
     let touched = shader.module.global_variables.iter().filter(|(handle, _)| !uses[*handle].is_empty());
     touched.filter_map(|(_, variable)| variable.binding.as_ref()).map(|binding| binding.binding).collect()
 }
 
 /// Whether an entry point, itself or through what it calls, reads each binding of group 0 that it touches, and writes it.
 pub(crate) fn accesses(shader: &Checked, entry: &str) -> BTreeMap<u32, (bool, bool)> {
-    let place = shader.module.entry_points.iter().position(|e| e.name == entry);
-    let uses = shader.info.get_entry_point(place.unwrap_or_else(|| panic!("there is no entry point {entry}")));
+    let index = shader.module.entry_points.iter().position(|e| e.name == entry);
+    let uses = shader.info.get_entry_point(index.unwrap_or_else(|| panic!("there is no entry point {entry}")));
     let touched = shader.module.global_variables.iter().filter(|(handle, _)| !uses[*handle].is_empty());
     let access = |(handle, variable): (_, &naga::GlobalVariable)| {
         let how: GlobalUse = uses[handle];

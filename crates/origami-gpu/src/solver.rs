@@ -13,7 +13,7 @@ use crate::engine::{Dispatch, Engine, Purpose};
 use crate::error::GpuError;
 use crate::layout::{Control, NONE, Node, SETTLED, vector};
 use crate::run::Ending;
-use crate::variant::Motion;
+use crate::variant::Scheme;
 use crate::{ensemble, inventory};
 
 /// A solver of the core that computes on a GPU. The settings are those of the core's solver, and mean the same.
@@ -151,12 +151,12 @@ pub(crate) fn folded(
     targets: Vec<f64>,
     steps_asked: bool,
     ending: &Ending,
-    motion: Motion,
+    scheme: Scheme,
 ) -> Result<Folded, Failed> {
     let control = &ending.control;
-    let time_step = f64::from(match motion {
-        Motion::Relax => control.fire_step,
-        Motion::Dynamics { .. } => control.time_step,
+    let time_step = f64::from(match scheme {
+        Scheme::Relax => control.fire_step,
+        Scheme::Dynamics { .. } => control.time_step,
     });
     let angles = ending.creases.iter().map(|c| f64::from(c.angle)).collect();
     let mut state = State {
@@ -171,7 +171,7 @@ pub(crate) fn folded(
             ending,
             &state,
             time_step,
-            matches!(motion, Motion::Dynamics { verlet: true, .. }),
+            matches!(scheme, Scheme::Dynamics { verlet: true, .. }),
         )
         .into());
     }
@@ -179,10 +179,10 @@ pub(crate) fn folded(
     let mut forces = Forces::new(model);
     let values = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles);
     let residual = values.iter().map(|f| f.length()).fold(0.0, f64::max);
-    match motion {
-        Motion::Relax => state.velocities.fill(DVec3::ZERO),
-        Motion::Dynamics { verlet, .. } if !verlet || control.step == 0 => {}
-        Motion::Dynamics { .. } => {
+    match scheme {
+        Scheme::Relax => state.velocities.fill(DVec3::ZERO),
+        Scheme::Dynamics { verlet, .. } if !verlet || control.step == 0 => {}
+        Scheme::Dynamics { .. } => {
             // The velocity that was stored is the one extrapolated by the acceleration before.
             damping::add(model, &state.velocities, values);
             for ((v, f), node) in state.velocities.iter_mut().zip(values).zip(&ending.nodes) {
@@ -202,7 +202,7 @@ pub(crate) fn folded(
 fn diverged(model: &Model, ending: &Ending, state: &State, time_step: f64, verlet: bool) -> Diverged {
     let control = &ending.control;
     let node = control.bad_node as usize;
-    let last_good = match &ending.kept {
+    let last_good = match &ending.checkpoint {
         Some((nodes, angles)) => State {
             positions: nodes.iter().map(Node::position).collect(),
             velocities: nodes.iter().map(|n| vector(n.velocity)).collect(),
@@ -215,7 +215,7 @@ fn diverged(model: &Model, ending: &Ending, state: &State, time_step: f64, verle
     let half_a_step = if verlet { vector(ending.nodes[node].force) * (0.5 * time_step) } else { DVec3::ZERO };
     let moved = (state.velocities[node] - half_a_step) * time_step;
     let place = (NodeId::new(node), state.positions[node], moved);
-    Diverged::new(model, place, u64::from(control.step), Box::new(last_good), u64::from(control.kept_step))
+    Diverged::new(model, place, u64::from(control.step), Box::new(last_good), u64::from(control.checkpoint_step))
 }
 
 #[cfg(test)]
@@ -241,10 +241,10 @@ mod tests {
         if reports == 0 {
             gpu.device().destroy();
         }
-        let mut told = 0;
+        let mut reported = 0;
         let failed = solver.fold(&model, &start, 60.0, &mut |_| {
-            told += 1;
-            if told == reports {
+            reported += 1;
+            if reported == reports {
                 gpu.device().destroy();
             }
         });
@@ -252,7 +252,7 @@ mod tests {
         assert_eq!(failed.last_state(), &start, "what it began with is all that is known");
         let all = solver.fold_all(&[Instance { model: &model, start: start.clone(), percent: 60.0 }], &|_, _| {});
         assert!(matches!(all[0], Err(Failed::Backend { .. })), "it stays lost");
-        Some((failed, told))
+        Some((failed, reported))
     }
 
     #[test]
@@ -261,10 +261,10 @@ mod tests {
             (Relax { steps: Some(5000), ..Relax::default() }, Dynamics { steps: Some(5000), ..Default::default() });
         for reports in [0, 1, 3] {
             for failed in [lost_after(&methods.0, reports), lost_after(&methods.1, reports)] {
-                let Some((failed, told)) = failed else { return };
+                let Some((failed, reported)) = failed else { return };
                 assert!(matches!(failed, Failed::Backend { last_read_step: 0, .. }), "{failed}");
                 assert!(failed.to_string().starts_with("the GPU was lost"), "{failed}");
-                assert!(told < 40, "it did not run on: {told} reports");
+                assert!(reported < 40, "it did not run on: {reported} reports");
             }
         }
     }

@@ -5,9 +5,9 @@ use origami_core::solve::{Dynamics, Integrator, TimeStep};
 
 use crate::engine::sizes;
 use crate::kernels::{Binding, Kernel};
-use crate::plan::{Plan, TICK, batch};
-use crate::scene::Scene;
-use crate::variant::{Motion, Variant};
+use crate::plan::{CHECK_INTERVAL, Plan, batch};
+use crate::sheet_arrays::SheetArrays;
+use crate::variant::{Scheme, Variant};
 
 /// What one step of a single sheet moves between memory and processors, and what the sheet's buffers take.
 ///
@@ -52,25 +52,25 @@ impl Traffic {
     /// Of a relaxation.
     #[must_use]
     pub fn of_relax(model: &Model) -> Self {
-        Self::of(model, Motion::Relax, false)
+        Self::of(model, Scheme::Relax, false)
     }
 
     /// Of dynamics.
     #[must_use]
     pub fn of_dynamics(model: &Model, method: &Dynamics) -> Self {
-        let motion =
-            Motion::Dynamics { verlet: method.integrator == Integrator::Verlet, damped: model.material.zeta > 0.0 };
-        Self::of(model, motion, method.time_step == TimeStep::Safe)
+        let scheme =
+            Scheme::Dynamics { verlet: method.integrator == Integrator::Verlet, damped: model.material.zeta > 0.0 };
+        Self::of(model, scheme, method.time_step == TimeStep::Safe)
     }
 
-    fn of(model: &Model, motion: Motion, safe: bool) -> Self {
-        let scene = Scene::new(&[model]);
-        let variant = Variant::new(&scene, motion, Some(model.material));
-        let buffers = sizes(&scene, &variant).into_iter();
+    fn of(model: &Model, scheme: Scheme, safe: bool) -> Self {
+        let arrays = SheetArrays::new(&[model]);
+        let variant = Variant::new(&arrays, scheme, Some(model.material));
+        let buffers = sizes(&arrays, &variant).into_iter();
         let mut buffers: Vec<_> = buffers.map(|(binding, each, once)| (binding, each + once)).collect();
         buffers.sort_by_key(|(binding, _)| *binding);
         let plan = Plan::new(&variant, safe);
-        let seldom = 1.0 / TICK as f64;
+        let seldom = 1.0 / CHECK_INTERVAL as f64;
         let moved = |kernels: &[&Kernel], variant: &Variant, per_step| -> Vec<PassTraffic> {
             kernels.iter().map(|k| moved(k, variant, &buffers, per_step)).collect()
         };
@@ -86,11 +86,11 @@ impl Traffic {
         };
         let others = [
             moved(plan.row_sums, &variant, 1.0 / plan.renewal as f64),
-            moved(plan.motion, &variant, 1.0),
-            moved(plan.keeping, &variant, 1.0 / batch(scene.nodes) as f64),
+            moved(plan.integration, &variant, 1.0),
+            moved(plan.checkpoint, &variant, 1.0 / batch(arrays.nodes) as f64),
         ];
         Self {
-            nodes: scene.nodes,
+            nodes: arrays.nodes,
             passes: passes.into_iter().chain(others).flatten().collect(),
             buffers: buffers
                 .iter()
@@ -153,18 +153,19 @@ fn part(kernel: &Kernel, binding: Binding, variant: &Variant) -> Part {
     match (binding, kernel.name) {
         (Binding::Control, _) => halves(0, 0),
         // The position; dampers read velocities too.
-        (Binding::Nodes, "faces") if !variant.damped() => halves(1, 0),
-        (Binding::Nodes, "edges" | "row_sums") => halves(1, 0),
+        (Binding::Nodes, "triangle_forces") if !variant.damped() => halves(1, 0),
+        (Binding::Nodes, "fold_angles" | "row_sums") => halves(1, 0),
         (Binding::Nodes, "loose_beams") => Part { most: beams * 64, ..halves(2, 0) },
         // The velocity, and whether it is fixed.
-        (Binding::Nodes, "stiffest") => halves(1 + u64::from(variant.fixed), 0),
+        (Binding::Nodes, "stiffness_max") => halves(1 + u64::from(variant.fixed), 0),
         // The force.
-        (Binding::Nodes, "weigh") => halves(2, 1),
-        (Binding::Nodes, "nodes" | "moves") => halves(2, 2),
-        (Binding::CreaseStates, "edges") => halves(2, 2),
-        (Binding::Slots, "faces" | "row_sums") => Part { most: variant.faces as u64 * 48, ..halves(0, 2) },
+        (Binding::Nodes, "reduce_forces") => halves(2, 1),
+        (Binding::Nodes, "integrate" | "fire_move") => halves(2, 2),
+        (Binding::CreaseStates, "fold_angles") => halves(2, 2),
+        (Binding::Slots, "triangle_forces" | "row_sums") => Part { most: variant.faces as u64 * 48, ..halves(0, 2) },
         (Binding::Slots, "loose_beams") => Part { most: beams * 16, ..halves(0, 2) },
-        (Binding::Partials, "weigh" | "settle") | (Binding::KeptNodes | Binding::KeptAngles, _) => halves(0, 2),
+        (Binding::Partials, "reduce_forces" | "settle_windows")
+        | (Binding::CheckpointNodes | Binding::CheckpointAngles, _) => halves(0, 2),
         (Binding::Windows, _) => halves(2, 2),
         _ => halves(2, 0),
     }
@@ -187,18 +188,18 @@ mod tests {
     }
 
     /// Whatever a pass may have: loose beams, beams of their own rigidity, fixed nodes.
-    fn with_everything(motion: Motion) -> Variant {
-        let variant = Variant::new(&Scene::new(&[&sheet()]), motion, Some(Material::default()));
+    fn with_everything(scheme: Scheme) -> Variant {
+        let variant = Variant::new(&SheetArrays::new(&[&sheet()]), scheme, Some(Material::default()));
         Variant { loose_beams: 3, rigidities: true, fixed: true, ..variant }
     }
 
     #[test]
     fn passes_read_and_write_what_their_shaders_do() {
-        for motion in [Motion::Relax, Motion::Dynamics { verlet: true, damped: true }] {
-            let variant = with_everything(motion);
+        for scheme in [Scheme::Relax, Scheme::Dynamics { verlet: true, damped: true }] {
+            let variant = with_everything(scheme);
             let plan = Plan::new(&variant, true);
-            let kernels = plan.forces.iter().chain(plan.settling).chain(plan.row_sums).chain(plan.motion);
-            for kernel in kernels.chain(plan.keeping) {
+            let kernels = plan.forces.iter().chain(plan.settling).chain(plan.row_sums).chain(plan.integration);
+            for kernel in kernels.chain(plan.checkpoint) {
                 let shader = checked(kernel.name, &kernel.source(&variant));
                 for (binding, expected) in accesses(&shader, kernel.entry) {
                     let bindings = kernel.bindings(&variant);
@@ -223,11 +224,12 @@ mod tests {
         let traffic = Traffic::of_dynamics(&model, &Dynamics::default());
         let find =
             |name, often: f64| *traffic.passes.iter().find(|p| p.name == name && p.per_step == often).expect(name);
-        let (edges, faces, nodes) = (find("edges", 1.0), find("faces", 1.0), find("nodes", 1.0));
-        assert_eq!((edges.read, edges.written), (32 * n + (16 + 24) * c, 16 * c));
-        assert_eq!((faces.read, faces.written), (64 * n + 16 * c + (60 + 16) * t, 48 * t));
-        assert_eq!((nodes.read, nodes.written), (64 * n + 48 * t + 4 * (n + 1), 64 * n));
-        assert_eq!(find("faces", 0.05).read, faces.read - 32 * n, "without damping no velocities");
+        let (angles, forces, integrate) =
+            (find("fold_angles", 1.0), find("triangle_forces", 1.0), find("integrate", 1.0));
+        assert_eq!((angles.read, angles.written), (32 * n + (16 + 24) * c, 16 * c));
+        assert_eq!((forces.read, forces.written), (64 * n + 16 * c + (60 + 16) * t, 48 * t));
+        assert_eq!((integrate.read, integrate.written), (64 * n + 48 * t + 4 * (n + 1), 64 * n));
+        assert_eq!(find("triangle_forces", 0.05).read, forces.read - 32 * n, "without damping no velocities");
         let memory =
             132 + 64 * n + 16 * c + 24 * c + 60 * t + 48 * t + 4 * (n + 1) + 16 * t + 16 + 48 * n + 64 * n + 4 * c;
         assert_eq!(traffic.memory(), memory);
@@ -238,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_scene_does_without_is_not_moved() {
+    fn what_a_sheet_does_without_is_not_moved() {
         let pattern = miura(7, 5).expect("valid");
         let of = |material: &Material| Traffic::of_relax(&model(&pattern, material)).bytes_per_step();
         let all = of(&Material::default());

@@ -1,14 +1,14 @@
-//! What a scene's pipelines are specialised to: which parts they are put together from, and which numbers are constants.
+//! What a sheet's pipelines are specialised to: which parts they are put together from, and which numbers are constants.
 
 use origami_core::model::{DEGENERATE, Material};
 use origami_core::solve::{fire, guard, relax, settle, time_step};
 use origami_shaders as wgsl;
 
-use crate::scene::Scene;
+use crate::sheet_arrays::SheetArrays;
 
 /// What moves the nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Motion {
+pub(crate) enum Scheme {
     Relax,
     Dynamics { verlet: bool, damped: bool },
 }
@@ -19,7 +19,7 @@ const LARGE: usize = 16_384;
 /// One way to build the kernels.
 #[derive(Clone, Debug)]
 pub(crate) struct Variant {
-    pub(crate) motion: Motion,
+    pub(crate) scheme: Scheme,
     pub(crate) corners: bool,
     pub(crate) rigidities: bool,
     pub(crate) fixed: bool,
@@ -36,20 +36,20 @@ pub(crate) struct Variant {
 }
 
 impl Variant {
-    /// That of a scene. `material` is that of all instances, or `None` where they differ.
-    pub(crate) fn new(scene: &Scene, motion: Motion, material: Option<Material>) -> Self {
+    /// The variant for a sheet. `material` is that of all instances, or `None` where they differ.
+    pub(crate) fn new(arrays: &SheetArrays, scheme: Scheme, material: Option<Material>) -> Self {
         Self {
-            motion,
-            corners: !scene.corners.is_empty(),
-            rigidities: !scene.rigidities.is_empty(),
-            fixed: scene.fixed,
+            scheme,
+            corners: !arrays.corners.is_empty(),
+            rigidities: !arrays.rigidities.is_empty(),
+            fixed: arrays.fixed,
             material,
-            nodes: scene.nodes,
-            creases: scene.hinges.len(),
-            faces: scene.faces.len(),
-            loose_beams: scene.loose_beams.len(),
-            slots: scene.slot_count(),
-            workgroup: if scene.nodes > LARGE { 256 } else { 64 },
+            nodes: arrays.nodes,
+            creases: arrays.hinges.len(),
+            faces: arrays.faces.len(),
+            loose_beams: arrays.loose_beams.len(),
+            slots: arrays.slot_count(),
+            workgroup: if arrays.nodes > LARGE { 256 } else { 64 },
             steps: 1,
         }
     }
@@ -60,20 +60,20 @@ impl Variant {
     }
 
     pub(crate) fn relaxing(&self) -> bool {
-        self.motion == Motion::Relax
+        self.scheme == Scheme::Relax
     }
 
     pub(crate) fn damped(&self) -> bool {
-        matches!(self.motion, Motion::Dynamics { damped: true, .. })
+        matches!(self.scheme, Scheme::Dynamics { damped: true, .. })
     }
 
-    /// The same without damping: what the stopping rule of dynamics looks at.
+    /// The same without damping: what the stopping rule of dynamics takes the forces of.
     pub(crate) fn undamped(&self) -> Self {
-        let motion = match self.motion {
-            Motion::Dynamics { verlet, .. } => Motion::Dynamics { verlet, damped: false },
-            Motion::Relax => Motion::Relax,
+        let scheme = match self.scheme {
+            Scheme::Dynamics { verlet, .. } => Scheme::Dynamics { verlet, damped: false },
+            Scheme::Relax => Scheme::Relax,
         };
-        Self { motion, ..self.clone() }
+        Self { scheme, ..self.clone() }
     }
 
     /// The part that gives the material.
@@ -81,13 +81,13 @@ impl Variant {
         if self.material.is_some() { wgsl::MATERIAL_UNIFORM } else { wgsl::MATERIAL_VARIED }
     }
 
-    /// Every constant that a shader may ask for. `ticks`: whether the faces' pass keeps the time.
-    pub(crate) fn constants(&self, ticks: bool) -> Vec<(&'static str, f64)> {
+    /// Every constant that a shader may ask for. `advances_clock`: whether the pass over the triangles keeps the time.
+    pub(crate) fn constants(&self, advances_clock: bool) -> Vec<(&'static str, f64)> {
         let is = |yes: bool| f64::from(u8::from(yes));
         let material = self.material.unwrap_or_default();
-        let (verlet, damped) = match self.motion {
-            Motion::Dynamics { verlet, damped } => (verlet, damped),
-            Motion::Relax => (false, false),
+        let (verlet, damped) = match self.scheme {
+            Scheme::Dynamics { verlet, damped } => (verlet, damped),
+            Scheme::Relax => (false, false),
         };
         vec![
             ("NODES", self.nodes as f64),
@@ -102,7 +102,7 @@ impl Variant {
             ("DAMPED", is(damped)),
             ("VERLET", is(verlet)),
             ("FIXED", is(self.fixed)),
-            ("TICKS", is(ticks)),
+            ("ADVANCES_CLOCK", is(advances_clock)),
             ("EA", material.ea),
             ("K_FOLD", material.k_fold),
             ("K_FACET", material.k_facet),
@@ -128,7 +128,7 @@ impl Variant {
             ("WINDOWS", f64::from(settle::WINDOWS)),
             ("SHARE", settle::SHARE),
             ("SMALL_SHARE", settle::SMALL_SHARE),
-            ("LEAST_TICKS", settle::LEAST.div_ceil(settle::SHORTEST) as f64),
+            ("LEAST_CHECKS", settle::LEAST.div_ceil(settle::SHORTEST) as f64),
             ("SHARE_OF_PAST", settle::SHARE_OF_PAST),
         ]
     }

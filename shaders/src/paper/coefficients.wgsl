@@ -6,9 +6,9 @@ fn coefficients(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let c = creases[id.x];
-    let along = between(c.along, c.nodes[2], c.nodes[3]);
-    let to_one = between(c.to_one, c.nodes[2], c.nodes[0]);
-    let to_two = between(c.to_two, c.nodes[2], c.nodes[1]);
+    let along = difference(c.along, c.nodes[2], c.nodes[3]);
+    let to_one = difference(c.to_one, c.nodes[2], c.nodes[0]);
+    let to_two = difference(c.to_two, c.nodes[2], c.nodes[1]);
     let areas = vec2<f32>(face_normals[c.triangle_one].w, face_normals[c.triangle_two].w);
     if (too_thin(length(along), areas.x, areas.y)) {
         // It pulls at nothing until it opens again.

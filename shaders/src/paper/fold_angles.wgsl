@@ -6,7 +6,7 @@ fn fold_angles(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let c = creases[id.x];
-    let along = between(c.along, c.nodes[2], c.nodes[3]);
+    let along = difference(c.along, c.nodes[2], c.nodes[3]);
     let one = face_normals[c.triangle_one];
     let two = face_normals[c.triangle_two];
     if (too_thin(length(along), one.w, two.w)) {

@@ -43,7 +43,7 @@ fn crease_forces(n: u32) -> vec3<f32> {
         let s = springs[role.element];
         let one = face_normals[role.triangle_one].xyz * s.per_height.x;
         let two = face_normals[role.triangle_two].xyz * s.per_height.y;
-        sum += s.stiffness * (s.goal - s.angle) * gradient(role.place, one, two, s.foot);
+        sum += s.stiffness * (s.target_angle - s.angle) * gradient(role.place, one, two, s.foot);
     }
     return sum;
 }
@@ -63,9 +63,9 @@ fn corner_forces(n: u32) -> vec3<f32> {
         if (normal.w == 0.0) {
             continue;
         }
-        let ab = between(t.sides[0], t.nodes[0], t.nodes[1]);
-        let bc = between(t.sides[1], t.nodes[1], t.nodes[2]);
-        let ca = between(t.sides[2], t.nodes[2], t.nodes[0]);
+        let ab = difference(t.sides[0], t.nodes[0], t.nodes[1]);
+        let bc = difference(t.sides[1], t.nodes[1], t.nodes[2]);
+        let ca = difference(t.sides[2], t.nodes[2], t.nodes[0]);
         let at_a = deviation(t.angles.xy, normal.w, -dot(ab, ca));
         let at_b = deviation(t.angles.zw, normal.w, -dot(ab, bc));
         let at_c = -(at_a + at_b);

@@ -1,7 +1,7 @@
 // First pass: the normal of every triangle.
 
 // One thread counts the steps, and stops the sheet after one that led out of bounds.
-fn tick() {
+fn count_step() {
     let running = u32(atomicLoad(&status.bad_node) == NONE);
     status.running = running;
     status.steps += running;
@@ -10,14 +10,14 @@ fn tick() {
 @compute @workgroup_size(WORKGROUP)
 fn normals(@builtin(global_invocation_id) id: vec3<u32>) {
     if (id.x == 0u) {
-        tick();
+        count_step();
     }
     if (id.x >= settings.triangles) {
         return;
     }
     let t = triangles[id.x];
-    let ab = between(t.sides[0], t.nodes[0], t.nodes[1]);
-    let ca = between(t.sides[2], t.nodes[2], t.nodes[0]);
+    let ab = difference(t.sides[0], t.nodes[0], t.nodes[1]);
+    let ca = difference(t.sides[2], t.nodes[2], t.nodes[0]);
     let normal = cross(ca, ab);
     let doubled_area = length(normal);
     if (doubled_area > 0.0) {

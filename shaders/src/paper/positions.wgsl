@@ -7,11 +7,11 @@ fn positions(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let velocity = next_velocities[n].xyz;
-    let way = settings.time_step * velocity;
-    let displacement = motions[n].displacement + way;
+    let moved = settings.time_step * velocity;
+    let displacement = motions[n].displacement + moved;
     motions[n] = Motion(displacement, velocity);
     let position = nodes[n].rest + displacement;
-    if (beyond(dot(position, position), FARTHEST * FARTHEST) || beyond(dot(way, way), LONGEST_MOVE * LONGEST_MOVE)) {
+    if (beyond(dot(position, position), FARTHEST * FARTHEST) || beyond(dot(moved, moved), LONGEST_MOVE * LONGEST_MOVE)) {
         atomicMin(&status.bad_node, n);
     }
 }

@@ -1,10 +1,10 @@
 // What the paper's five passes share: the sheet and its state. Positions are displacements from rest.
 
-override WORKGROUP: u32 = 64u;
+override WORKGROUP: u32;
 // Constants of the core, by the names that they have there.
-override DEGENERATE: f32 = 1e-6;
-override FARTHEST: f32 = 100.0;
-override LONGEST_MOVE: f32 = 1.0;
+override DEGENERATE: f32;
+override FARTHEST: f32;
+override LONGEST_MOVE: f32;
 
 const NONE: u32 = 0xffffffffu;
 
@@ -58,7 +58,7 @@ struct Crease {
 
 struct Spring {
     angle: f32,
-    goal: f32,
+    target_angle: f32,
     stiffness: f32,
     // One over the height of each apex over the crease, and where its foot lies between the ends.
     per_height: vec2<f32>,
@@ -98,7 +98,7 @@ struct Role {
 @group(0) @binding(10) var<storage, read> roles: array<Role>;
 
 // From one node to another that lies `rest` away from it at rest.
-fn between(rest: vec3<f32>, start: u32, end: u32) -> vec3<f32> {
+fn difference(rest: vec3<f32>, start: u32, end: u32) -> vec3<f32> {
     return rest + (motions[end].displacement - motions[start].displacement);
 }
 

@@ -1,4 +1,4 @@
-//! Beams on edges outside any face.
+//! Beams on edges outside any triangle.
 
 use origami_shaders as wgsl;
 

@@ -1,19 +1,19 @@
 //! The kernels: one file each, with the name of its shader. Here is what they have in common.
 
-pub(crate) mod decide;
-pub(crate) mod edges;
-pub(crate) mod faces;
-pub(crate) mod judge;
-pub(crate) mod keep;
+pub(crate) mod checkpoint;
+pub(crate) mod fire_move;
+pub(crate) mod fire_update;
+pub(crate) mod fold_angles;
+pub(crate) mod integrate;
 pub(crate) mod loose_beams;
-pub(crate) mod moves;
-pub(crate) mod nodes;
-pub(crate) mod renew;
+pub(crate) mod reduce_forces;
 pub(crate) mod row_sums;
-pub(crate) mod settle;
-pub(crate) mod stiffest;
-pub(crate) mod survey;
-pub(crate) mod weigh;
+pub(crate) mod safe_time_step;
+pub(crate) mod settle_decide;
+pub(crate) mod settle_windows;
+pub(crate) mod state_bounds;
+pub(crate) mod stiffness_max;
+pub(crate) mod triangle_forces;
 pub(crate) mod workgroup_dynamics;
 pub(crate) mod workgroup_relax;
 
@@ -37,28 +37,28 @@ pub(crate) enum Binding {
     Rigidities = 9,
     Partials = 10,
     Windows = 11,
-    KeptNodes = 12,
-    KeptAngles = 13,
+    CheckpointNodes = 12,
+    CheckpointAngles = 13,
 }
 
 impl Binding {
-    /// What it holds, for people.
+    /// What the buffer holds, in words for error messages.
     pub(crate) fn what(self) -> &'static str {
         match self {
             Self::Control => "the control block",
             Self::Nodes => "the nodes",
             Self::CreaseStates => "the fold angles",
             Self::Hinges => "the creases",
-            Self::Faces => "the faces",
-            Self::Slots => "the forces of the faces",
+            Self::Faces => "the triangles",
+            Self::Slots => "the forces of the triangles",
             Self::Rows => "the rows of the nodes",
             Self::Corners => "the corner angles",
             Self::LooseBeams => "the loose beams",
             Self::Rigidities => "the rigidities of the beams",
             Self::Partials => "the partial sums",
             Self::Windows => "the stopping rule's memory",
-            Self::KeptNodes => "the last good nodes",
-            Self::KeptAngles => "the last good fold angles",
+            Self::CheckpointNodes => "the last good nodes",
+            Self::CheckpointAngles => "the last good fold angles",
         }
     }
 }
@@ -87,9 +87,9 @@ pub(crate) struct Kernel {
     pub(crate) text: &'static str,
     /// The parts that it is put together from, for a variant.
     pub(crate) parts: fn(&Variant) -> Vec<&'static str>,
-    /// The buffers that it uses in every variant; faces may add some, see [`Kernel::bindings`].
+    /// The buffers that it uses in every variant; those with `springs` may add some, see [`Kernel::bindings`].
     pub(crate) uses: &'static [Binding],
-    /// Whether it computes forces or row sums of faces, and so reads corner angles and rigidities where there are some.
+    /// Whether it computes forces or row sums of triangles, and so reads corner angles and rigidities where there are some.
     pub(crate) springs: bool,
     /// What an invocation works on.
     pub(crate) per: Per,
@@ -134,7 +134,7 @@ fn creases(variant: &Variant) -> Vec<&'static str> {
     vec![variant.material(), wgsl::ANGLE, wgsl::HINGE]
 }
 
-/// The parts that the faces' forces and row sums have in common.
+/// The parts that the triangles' forces and row sums have in common.
 fn springs(variant: &Variant) -> Vec<&'static str> {
     let mut parts = creases(variant);
     parts.push(wgsl::FACE);
@@ -154,20 +154,20 @@ mod tests {
     use crate::testing::variants;
 
     const ALL: [&Kernel; 16] = [
-        &decide::KERNEL,
-        &edges::KERNEL,
-        &faces::KERNEL,
-        &judge::KERNEL,
-        &keep::KERNEL,
+        &fire_update::KERNEL,
+        &fold_angles::KERNEL,
+        &triangle_forces::KERNEL,
+        &settle_decide::KERNEL,
+        &checkpoint::KERNEL,
         &loose_beams::KERNEL,
-        &moves::KERNEL,
-        &nodes::KERNEL,
-        &renew::KERNEL,
+        &fire_move::KERNEL,
+        &integrate::KERNEL,
+        &safe_time_step::KERNEL,
         &row_sums::KERNEL,
-        &settle::KERNEL,
-        &stiffest::KERNEL,
-        &survey::KERNEL,
-        &weigh::KERNEL,
+        &settle_windows::KERNEL,
+        &stiffness_max::KERNEL,
+        &state_bounds::KERNEL,
+        &reduce_forces::KERNEL,
         &workgroup_dynamics::KERNEL,
         &workgroup_relax::KERNEL,
     ];

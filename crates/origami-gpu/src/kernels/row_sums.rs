@@ -19,7 +19,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
 mod tests {
     use origami_core::solve::row_sums;
 
-    use super::super::{edges, faces};
+    use super::super::{fold_angles, triangle_forces};
     use super::*;
     use crate::Gpu;
     use crate::paper::testing::{Case, ROUNDING, cases, collapsed, tampered, worst};
@@ -31,7 +31,7 @@ mod tests {
 
     fn sums(gpu: &Gpu, case: &Case) -> Vec<f64> {
         let bench = Bench::new(gpu, case, EULER);
-        bench.run(&bench.with_loose(&[&edges::KERNEL, &faces::KERNEL]), false);
+        bench.run(&bench.with_loose(&[&fold_angles::KERNEL, &triangle_forces::KERNEL]), false);
         bench.run(&[&KERNEL], false);
         bench.gathered().into_iter().map(|sum| sum.w).collect()
     }

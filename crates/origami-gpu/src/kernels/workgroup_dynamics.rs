@@ -11,7 +11,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     text: wgsl::WORKGROUP_DYNAMICS,
     parts: |variant| {
         let mut parts = springs(variant);
-        parts.extend([wgsl::EDGES, wgsl::FACES, wgsl::GATHER, wgsl::NODES]);
+        parts.extend([wgsl::FOLD_ANGLES, wgsl::TRIANGLE_FORCES, wgsl::GATHER, wgsl::INTEGRATE]);
         parts
     },
     uses: WHOLE_SHEET,

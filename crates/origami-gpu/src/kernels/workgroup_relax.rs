@@ -11,7 +11,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     text: wgsl::WORKGROUP_RELAX,
     parts: |variant| {
         let mut parts = springs(variant);
-        let passes = [wgsl::EDGES, wgsl::FACES, wgsl::ROW_SUMS, wgsl::GATHER, wgsl::REDUCE, wgsl::FIRE];
+        let passes = [wgsl::FOLD_ANGLES, wgsl::TRIANGLE_FORCES, wgsl::ROW_SUMS, wgsl::GATHER, wgsl::REDUCE, wgsl::FIRE];
         parts.extend(passes);
         parts
     },

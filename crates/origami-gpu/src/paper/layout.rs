@@ -136,7 +136,7 @@ pub(super) struct Crease {
 #[repr(C)]
 pub(super) struct Spring {
     pub(super) angle: f32,
-    pub(super) goal: f32,
+    pub(super) target_angle: f32,
     pub(super) stiffness: f32,
     pub(super) padding: f32,
     pub(super) per_height: [f32; 2],
@@ -180,7 +180,7 @@ mod tests {
         same_layout!(&shader, Motion { displacement, velocity });
         same_layout!(&shader, Triangle { nodes, sides, angles });
         same_layout!(&shader, Crease { nodes, along, triangle_one, to_one, triangle_two, to_two });
-        same_layout!(&shader, Spring { angle, goal, stiffness, per_height, foot });
+        same_layout!(&shader, Spring { angle, target_angle, stiffness, per_height, foot });
         same_layout!(&shader, BeamEnd { rest, rest_length, other, stiffness, damping });
         same_layout!(&shader, Role { element, place, triangle_one, triangle_two });
     }

@@ -164,9 +164,9 @@ pub(super) fn springs(model: &Model, state: &State) -> Vec<Spring> {
     let angles = state.fold_angles.iter().zip(&state.targets);
     let springs = model.creases.iter().zip(angles);
     springs
-        .map(|(crease, (angle, goal))| Spring {
+        .map(|(crease, (angle, target_angle))| Spring {
             angle: *angle as f32,
-            goal: *goal as f32,
+            target_angle: *target_angle as f32,
             stiffness: crease.stiffness as f32,
             padding: 0.0,
             per_height: [0.0; 2],

@@ -24,8 +24,8 @@
 
 mod extremes;
 mod layout;
+mod node_positions;
 mod pipelines;
-mod places;
 mod resolve;
 mod scene;
 mod targets;
@@ -146,7 +146,7 @@ impl Renderer {
             let adapters = format!("the session is on another device than the renderer, {}", self.gpu.adapter());
             return Err(GpuError::Refused(adapters).into());
         }
-        let positions = places::positions(engine)?;
+        let positions = node_positions::positions(engine)?;
         match view {
             Some(view) => self.draw_positions(picture, scene, view, &positions),
             None => {

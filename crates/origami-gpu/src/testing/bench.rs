@@ -14,17 +14,17 @@ use crate::layout::{Control, Node};
 use crate::paper::testing::Case;
 use crate::pipeline::Pass;
 use crate::run::Beginning;
-use crate::scene::Scene;
-use crate::variant::Motion;
+use crate::sheet_arrays::SheetArrays;
+use crate::variant::Scheme;
 
-pub(crate) const EULER: Motion = Motion::Dynamics { verlet: false, damped: true };
-pub(crate) const VERLET: Motion = Motion::Dynamics { verlet: true, damped: true };
+pub(crate) const EULER: Scheme = Scheme::Dynamics { verlet: false, damped: true };
+pub(crate) const VERLET: Scheme = Scheme::Dynamics { verlet: true, damped: true };
 
 /// The case as buffers hold it, so that both sides see the same.
 pub(crate) fn held(case: &Case) -> Case {
     let position = |p: &glam::DVec3| {
         let mut node = Node::default();
-        node.place(*p);
+        node.set_position(*p);
         node.position()
     };
     let positions = case.state.positions.iter().map(position).collect();
@@ -34,22 +34,22 @@ pub(crate) fn held(case: &Case) -> Case {
 /// A case on a GPU.
 pub(crate) struct Bench {
     engine: Engine,
-    pub(crate) scene: Scene,
+    pub(crate) arrays: SheetArrays,
     passes: RefCell<BTreeMap<(&'static str, bool), Pass>>,
 }
 
 impl Bench {
     /// With the velocities of the case even in a relaxation, and its targets at once.
-    pub(crate) fn new(gpu: &Gpu, case: &Case, motion: Motion) -> Self {
-        let engine = Engine::bare(gpu, &[&case.model], motion).expect("it fits");
-        let integrator = match motion {
-            Motion::Dynamics { verlet: true, .. } => Integrator::Verlet,
+    pub(crate) fn new(gpu: &Gpu, case: &Case, scheme: Scheme) -> Self {
+        let engine = Engine::bare(gpu, &[&case.model], scheme).expect("it fits");
+        let integrator = match scheme {
+            Scheme::Dynamics { verlet: true, .. } => Integrator::Verlet,
             _ => Integrator::Euler,
         };
         let beginning = Beginning {
             model: &case.model,
             state: case.state.clone(),
-            goals: case.state.targets.clone(),
+            targets: case.state.targets.clone(),
             ramp: 0,
             limit: 1000,
             tolerance: 1e-4,
@@ -58,24 +58,24 @@ impl Bench {
             damping_sum: time_step::damping_sum(&case.model, integrator),
         };
         engine.load(&[beginning]).expect("written");
-        let bench = Self { engine, scene: Scene::new(&[&case.model]), passes: RefCell::default() };
+        let bench = Self { engine, arrays: SheetArrays::new(&[&case.model]), passes: RefCell::default() };
         bench.change_nodes(|i, node| node.velocity = crate::layout::single(case.state.velocities[i]));
         bench
     }
 
-    /// Runs kernels one after the other. Those of dynamics tick where `ticks`.
-    pub(crate) fn run(&self, kernels: &[&Kernel], ticks: bool) {
+    /// Runs kernels one after the other. The pass over the triangles keeps the time of dynamics where `advances_clock`.
+    pub(crate) fn run(&self, kernels: &[&Kernel], advances_clock: bool) {
         let Engine { gpu, variant, buffers, .. } = &self.engine;
         let done = gpu.scoped(|| {
             let mut passes = self.passes.borrow_mut();
             for kernel in kernels {
-                let pass = || Pass::new(gpu, kernel, variant, ticks, buffers);
-                passes.entry((kernel.name, ticks)).or_insert_with(pass);
+                let pass = || Pass::new(gpu, kernel, variant, advances_clock, buffers);
+                passes.entry((kernel.name, advances_clock)).or_insert_with(pass);
             }
             let mut encoder = gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             {
                 let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-                kernels.iter().for_each(|kernel| passes[&(kernel.name, ticks)].record(&mut pass, 1));
+                kernels.iter().for_each(|kernel| passes[&(kernel.name, advances_clock)].record(&mut pass, 1));
             }
             gpu.queue().submit([encoder.finish()]);
         });
@@ -84,7 +84,7 @@ impl Bench {
 
     /// The kernels, and that of loose beams where there are some.
     pub(crate) fn with_loose<'k>(&self, kernels: &[&'k Kernel]) -> Vec<&'k Kernel> {
-        let loose: &[&Kernel] = if self.scene.loose_beams.is_empty() { &[] } else { &[&loose_beams::KERNEL] };
+        let loose: &[&Kernel] = if self.arrays.loose_beams.is_empty() { &[] } else { &[&loose_beams::KERNEL] };
         [kernels, loose].concat()
     }
 
@@ -107,7 +107,7 @@ impl Bench {
     }
 
     pub(crate) fn nodes(&self) -> Vec<Node> {
-        self.read(Binding::Nodes, self.scene.nodes)
+        self.read(Binding::Nodes, self.arrays.nodes)
     }
 
     pub(crate) fn change_nodes(&self, mut change: impl FnMut(usize, &mut Node)) {
@@ -118,16 +118,16 @@ impl Bench {
 
     /// What the slots of each node sum to, in double precision.
     pub(crate) fn gathered(&self) -> Vec<glam::DVec4> {
-        let slots: Vec<[f32; 4]> = self.read(Binding::Slots, self.scene.slot_count());
+        let slots: Vec<[f32; 4]> = self.read(Binding::Slots, self.arrays.slot_count());
         let sum = |row: &[u32]| {
             let own = &slots[row[0] as usize..row[1] as usize];
             own.iter().map(|slot| glam::DVec4::from_array(slot.map(f64::from))).sum()
         };
-        self.scene.rows.windows(2).map(sum).collect()
+        self.arrays.rows.windows(2).map(sum).collect()
     }
 
     /// How many workgroups hand over partial sums.
     pub(crate) fn groups(&self) -> usize {
-        self.engine.variant.groups(self.scene.nodes)
+        self.engine.variant.groups(self.arrays.nodes)
     }
 }

@@ -2,12 +2,12 @@
 
 use origami_core::Material;
 
-use crate::variant::{Motion, Variant};
+use crate::variant::{Scheme, Variant};
 
 /// A relaxation with everything that a plain sheet has.
 pub(crate) fn plain() -> Variant {
     Variant {
-        motion: Motion::Relax,
+        scheme: Scheme::Relax,
         corners: true,
         rigidities: false,
         fixed: false,
@@ -24,14 +24,14 @@ pub(crate) fn plain() -> Variant {
 
 /// All that differ in their text, with every motion and both sizes of workgroups among them.
 pub(crate) fn of_texts() -> Vec<Variant> {
-    let dynamics = |verlet, damped| Motion::Dynamics { verlet, damped };
+    let dynamics = |verlet, damped| Scheme::Dynamics { verlet, damped };
     let motions =
-        [Motion::Relax, dynamics(false, true), dynamics(true, true), dynamics(false, false), dynamics(true, false)];
+        [Scheme::Relax, dynamics(false, true), dynamics(true, true), dynamics(false, false), dynamics(true, false)];
     (0..16_usize)
         .map(|bits| {
-            let is = |place: usize| bits >> place & 1 == 1;
+            let is = |bit: usize| bits >> bit & 1 == 1;
             Variant {
-                motion: motions[bits % motions.len()],
+                scheme: motions[bits % motions.len()],
                 corners: is(0),
                 rigidities: is(1),
                 material: is(2).then(Material::default),

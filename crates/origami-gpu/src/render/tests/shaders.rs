@@ -6,8 +6,8 @@ use naga::valid::Capabilities;
 use origami_shaders::render::{EXTREMES, FACES, LINES, RESOLVE};
 
 use super::super::layout::{Frame, Line, Resolve, Search, Style, Tile, Triangle};
+use super::super::node_positions;
 use super::super::pipelines::{BINDINGS, Sampling, source};
-use super::super::places;
 use crate::shader_checks::{Checked, bindings, checked, checked_with, read_only, same_layout};
 
 fn scene_shaders(sampling: Sampling) -> [Checked; 2] {
@@ -72,7 +72,10 @@ fn bindings_are_those_that_rust_gives() {
         assert_eq!(read_only(shader), storage);
     }
     assert_eq!(touched, (0..BINDINGS.len() as u32).collect());
-    assert_eq!(bindings(&checked("places", &places::source()), "place_nodes"), BTreeSet::from([1, 14]));
+    assert_eq!(
+        bindings(&checked("node_positions", &node_positions::source()), "node_positions"),
+        BTreeSet::from([1, 14])
+    );
     assert_eq!(bindings(&checked("resolve", RESOLVE), "resolve"), BTreeSet::from([0, 1, 2]));
     assert_eq!(bindings(&checked("extremes", EXTREMES), "find"), BTreeSet::from([0, 1, 2, 3]));
 }

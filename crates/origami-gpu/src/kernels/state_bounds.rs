@@ -1,14 +1,14 @@
-//! How good a state is.
+//! How far out the nodes are, and how far they move in a step.
 
 use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per};
 
-/// The kernel of `survey.wgsl`.
+/// The kernel of `state_bounds.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "survey",
-    entry: "survey",
-    text: wgsl::SURVEY,
+    name: "state_bounds",
+    entry: "state_bounds",
+    text: wgsl::STATE_BOUNDS,
     parts: |_| Vec::new(),
     uses: &[Binding::Control, Binding::Nodes],
     springs: false,

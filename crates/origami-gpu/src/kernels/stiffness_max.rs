@@ -1,14 +1,14 @@
-//! The largest row sum.
+//! The largest row sum, and the largest velocity.
 
 use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per};
 
-/// The kernel of `stiffest.wgsl`.
+/// The kernel of `stiffness_max.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "stiffest",
-    entry: "stiffest",
-    text: wgsl::STIFFEST,
+    name: "stiffness_max",
+    entry: "stiffness_max",
+    text: wgsl::STIFFNESS_MAX,
     parts: |_| vec![wgsl::GATHER],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows],
     springs: false,

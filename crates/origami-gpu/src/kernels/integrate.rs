@@ -1,14 +1,14 @@
-//! Third pass of dynamics: moves the nodes.
+//! Third pass of dynamics: sums the forces on the nodes and moves them.
 
 use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per};
 
-/// The kernel of `nodes.wgsl`.
+/// The kernel of `integrate.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "nodes",
-    entry: "nodes_of_sheet",
-    text: wgsl::NODES,
+    name: "integrate",
+    entry: "integrate",
+    text: wgsl::INTEGRATE,
     parts: |_| vec![wgsl::GATHER],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows],
     springs: false,
@@ -20,13 +20,13 @@ mod tests {
     use glam::DVec3;
     use origami_core::forces::{Forces, damping};
 
-    use super::super::{edges, faces};
+    use super::super::{fold_angles, triangle_forces};
     use super::*;
     use crate::layout::{Node, vector};
     use crate::paper::testing::{Case, ROUNDING, Random, cases, tampered, worst};
     use crate::testing::bench::{Bench, EULER, VERLET, held};
     use crate::testing::{gpu, magnitudes, sheets};
-    use crate::variant::Motion;
+    use crate::variant::Scheme;
 
     /// Velocities, in roundings of all that is summed: those of the forces, and their sum.
     const TOLERANCE: f64 = 3.0;
@@ -68,12 +68,12 @@ mod tests {
         [worst(velocities), worst(positions)]
     }
 
-    fn step(gpu: &crate::Gpu, case: &Case, motion: Motion, accelerations: &[DVec3]) -> Bench {
-        let bench = Bench::new(gpu, case, motion);
+    fn step(gpu: &crate::Gpu, case: &Case, scheme: Scheme, accelerations: &[DVec3]) -> Bench {
+        let bench = Bench::new(gpu, case, scheme);
         bench.change_nodes(|i, node| node.force = accelerations[i].as_vec3().to_array());
         bench.change_control(|c| (c.time_step, c.next_step) = (STEP_BEFORE, STEP));
-        bench.run(&bench.with_loose(&[&edges::KERNEL]), false);
-        bench.run(&[&faces::KERNEL], true);
+        bench.run(&bench.with_loose(&[&fold_angles::KERNEL]), false);
+        bench.run(&[&triangle_forces::KERNEL], true);
         bench.run(&[&KERNEL], false);
         bench
     }
@@ -90,7 +90,7 @@ mod tests {
             let bench = step(&gpu, &case, if verlet { VERLET } else { EULER }, &accelerations);
             let (nodes, dt) = (bench.nodes(), f64::from(STEP));
             let found = errors(&case, &nodes, &stepped(&case, &accelerations, verlet, dt));
-            println!("nodes, {}: {found:.2?}", case.name);
+            println!("integrate, {}: {found:.2?}", case.name);
             assert!(found.iter().all(|e| *e < TOLERANCE), "{}: {found:?} roundings", case.name);
             let wrongs = [
                 ("the other integrator", stepped(&case, &accelerations, !verlet, dt)),
@@ -110,10 +110,10 @@ mod tests {
         let mut case = cases().into_iter().find(|case| !case.model.fixed.is_empty()).expect("one has fixed nodes");
         case.state.velocities.fill(DVec3::ZERO);
         let none = vec![DVec3::ZERO; case.model.node_count()];
-        for motion in [EULER, VERLET] {
-            let bench = Bench::new(&gpu, &case, motion);
+        for scheme in [EULER, VERLET] {
+            let bench = Bench::new(&gpu, &case, scheme);
             let before = bench.nodes();
-            let after = step(&gpu, &case, motion, &none).nodes();
+            let after = step(&gpu, &case, scheme, &none).nodes();
             for (i, (before, after)) in before.iter().zip(&after).enumerate() {
                 let fixed = case.model.fixed.iter().any(|n| n.index() == i);
                 assert_eq!(before.position() == after.position(), fixed, "node {i}");
@@ -126,17 +126,19 @@ mod tests {
         let Some(gpu) = gpu() else { return };
         let bench = Bench::new(&gpu, &held(&cases()[3]), EULER);
         let before = bench.control();
-        bench.change_control(|c| (c.ramp_step, c.ramp_length, c.farthest, c.fastest) = (1, 2, 9, 9));
-        bench.run(&[&faces::KERNEL], false);
+        bench.change_control(|c| {
+            (c.ramp_step, c.ramp_length, c.distance_squared_max, c.move_squared_max) = (1, 2, 9, 9)
+        });
+        bench.run(&[&triangle_forces::KERNEL], false);
         assert_eq!(bench.control().step, 0, "forces alone take no time");
         for (steps, ramp) in [(1, 2), (2, 2)] {
-            bench.run(&[&faces::KERNEL], true);
+            bench.run(&[&triangle_forces::KERNEL], true);
             let now = bench.control();
-            assert_eq!((now.step, now.ramp_step, now.farthest, now.fastest), (steps, ramp, 0, 0));
+            assert_eq!((now.step, now.ramp_step, now.distance_squared_max, now.move_squared_max), (steps, ramp, 0, 0));
             assert_eq!((now.previous_step == 0.0, now.time_step), (steps == 1, before.next_step));
         }
         bench.change_control(|c| c.bad_node = 3);
-        bench.run(&[&faces::KERNEL], true);
+        bench.run(&[&triangle_forces::KERNEL], true);
         assert_eq!((bench.control().stop, bench.control().step), (2, 2), "it diverged in the step before");
     }
 }

@@ -1,14 +1,14 @@
-//! Fourth pass of a relaxation: FIRE's decision.
+//! Fourth pass of a relaxation: FIRE's step and mixing.
 
 use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per};
 
-/// The kernel of `decide.wgsl`.
+/// The kernel of `fire_update.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "decide",
-    entry: "decide",
-    text: wgsl::DECIDE,
+    name: "fire_update",
+    entry: "fire_update",
+    text: wgsl::FIRE_UPDATE,
     parts: |_| vec![wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::FIRE],
     uses: &[Binding::Control, Binding::Partials],
     springs: false,
@@ -24,7 +24,7 @@ mod tests {
     use crate::paper::testing::cases;
     use crate::testing::bench::{Bench, held};
     use crate::testing::gpu;
-    use crate::variant::Motion;
+    use crate::variant::Scheme;
 
     /// Relative, over a few dozen decisions of which each rounds.
     const TOLERANCE: f64 = 1e-5;
@@ -81,7 +81,7 @@ mod tests {
     }
 
     fn bench(gpu: &crate::Gpu) -> Bench {
-        let bench = Bench::new(gpu, &held(&cases()[0]), Motion::Relax);
+        let bench = Bench::new(gpu, &held(&cases()[0]), Scheme::Relax);
         assert!(bench.groups() > 5, "several parts to be added up");
         bench
     }
@@ -118,12 +118,14 @@ mod tests {
         let Some(gpu) = gpu() else { return };
         let bench = bench(&gpu);
         write_sums(&bench, [1.0, 1.0, 1.0]);
-        bench.change_control(|c| (c.ramp_step, c.ramp_length, c.held, c.farthest, c.fastest) = (1, 3, 1, 7, 7));
+        bench.change_control(|c| {
+            (c.ramp_step, c.ramp_length, c.held, c.distance_squared_max, c.move_squared_max) = (1, 3, 1, 7, 7)
+        });
         let mut steps = Vec::new();
         for _ in 0..4 {
             bench.run(&[&KERNEL], false);
             let control = bench.control();
-            assert_eq!((control.held, control.farthest, control.fastest), (0, 0, 0));
+            assert_eq!((control.held, control.distance_squared_max, control.move_squared_max), (0, 0, 0));
             steps.push(control.ramp_step);
         }
         assert_eq!(steps, [1, 2, 3, 3]);

@@ -1,16 +1,22 @@
-//! Keeps a good state.
+//! Copies a state while it is good.
 
 use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per};
 
-/// The kernel of `keep.wgsl`.
+/// The kernel of `checkpoint.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "keep",
-    entry: "keep",
-    text: wgsl::KEEP,
+    name: "checkpoint",
+    entry: "checkpoint",
+    text: wgsl::CHECKPOINT,
     parts: |_| Vec::new(),
-    uses: &[Binding::Control, Binding::Nodes, Binding::CreaseStates, Binding::KeptNodes, Binding::KeptAngles],
+    uses: &[
+        Binding::Control,
+        Binding::Nodes,
+        Binding::CreaseStates,
+        Binding::CheckpointNodes,
+        Binding::CheckpointAngles,
+    ],
     springs: false,
     per: Per::NodeOrCrease,
 };
@@ -19,13 +25,13 @@ pub(crate) const KERNEL: Kernel = Kernel {
 mod tests {
     use origami_core::solve::guard::{GOOD_MOVE, GOOD_POSITION};
 
-    use super::super::survey;
+    use super::super::state_bounds;
     use super::*;
     use crate::layout::Node;
     use crate::paper::testing::cases;
     use crate::testing::bench::{Bench, EULER, held};
     use crate::testing::gpu;
-    use crate::variant::Motion;
+    use crate::variant::Scheme;
 
     const STEP: f64 = 0.25;
 
@@ -33,20 +39,20 @@ mod tests {
     fn is_kept(bench: &Bench, change: impl Fn(&mut Node), stop: u32) -> bool {
         bench.change_nodes(|i, node| {
             node.velocity = [0.0; 3];
-            node.place(glam::DVec3::new(0.1, 0.2, 0.3));
+            node.set_position(glam::DVec3::new(0.1, 0.2, 0.3));
             if i == 6 {
                 change(node);
             }
         });
         bench.change_control(|c| {
-            (c.stop, c.farthest, c.fastest, c.step, c.kept_step) = (stop, 0, 0, 40, 0);
+            (c.stop, c.distance_squared_max, c.move_squared_max, c.step, c.checkpoint_step) = (stop, 0, 0, 40, 0);
             (c.time_step, c.fire_step) = (STEP as f32, STEP as f32);
         });
-        bench.write(Binding::KeptNodes, &vec![Node::default(); bench.scene.nodes]);
-        bench.run(&[&survey::KERNEL, &KERNEL], false);
-        let (now, kept): (_, Vec<Node>) = (bench.nodes(), bench.read(Binding::KeptNodes, bench.scene.nodes));
+        bench.write(Binding::CheckpointNodes, &vec![Node::default(); bench.arrays.nodes]);
+        bench.run(&[&state_bounds::KERNEL, &KERNEL], false);
+        let (now, kept): (_, Vec<Node>) = (bench.nodes(), bench.read(Binding::CheckpointNodes, bench.arrays.nodes));
         let same = now.iter().zip(&kept).all(|(now, kept)| bytemuck::bytes_of(now) == bytemuck::bytes_of(kept));
-        assert_eq!(bench.control().kept_step, if same { 40 } else { 0 });
+        assert_eq!(bench.control().checkpoint_step, if same { 40 } else { 0 });
         assert!(same || kept.iter().all(|node| node.high == [0; 3]), "all or nothing");
         same
     }
@@ -54,9 +60,9 @@ mod tests {
     #[test]
     fn good_states_are_kept_and_others_not() {
         let Some(gpu) = gpu() else { return };
-        for motion in [Motion::Relax, EULER] {
-            let bench = Bench::new(&gpu, &held(&cases()[3]), motion);
-            let at = |x: f64| move |node: &mut Node| node.place(glam::DVec3::Y * x);
+        for scheme in [Scheme::Relax, EULER] {
+            let bench = Bench::new(&gpu, &held(&cases()[3]), scheme);
+            let at = |x: f64| move |node: &mut Node| node.set_position(glam::DVec3::Y * x);
             let by = |way: f64| move |node: &mut Node| node.velocity = [0.0, 0.0, (way / STEP) as f32];
             assert!(is_kept(&bench, |_| {}, 0));
             assert!(!is_kept(&bench, |_| {}, 2), "it has stopped");
@@ -75,9 +81,9 @@ mod tests {
         let case = held(&cases()[3]);
         let bench = Bench::new(&gpu, &case, EULER);
         let creases = case.model.creases.len();
-        bench.write(Binding::KeptAngles, &vec![9.0_f32; creases]);
-        bench.run(&[&survey::KERNEL, &KERNEL], false);
-        let kept: Vec<f32> = bench.read(Binding::KeptAngles, creases);
+        bench.write(Binding::CheckpointAngles, &vec![9.0_f32; creases]);
+        bench.run(&[&state_bounds::KERNEL, &KERNEL], false);
+        let kept: Vec<f32> = bench.read(Binding::CheckpointAngles, creases);
         assert!(kept.iter().zip(&case.state.fold_angles).all(|(kept, now)| f64::from(*kept) == *now));
     }
 }

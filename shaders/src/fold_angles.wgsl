@@ -1,11 +1,11 @@
 // First pass: the fold angle of every crease and the moment of its spring (paper 2.3).
 
-fn edge(instance: u32, c: u32) {
+fn fold_angle(instance: u32, c: u32) {
     let i = instance * CREASES + c;
     let h = hinges[c];
     let s = hinge_shape(instance, h);
     if (s.degenerate) {
-        // It keeps its angle and pulls at nothing until it opens again.
+        // A degenerate crease keeps its angle and pulls at nothing until it opens again.
         crease_states[i].moment = 0.0;
         return;
     }
@@ -17,14 +17,14 @@ fn edge(instance: u32, c: u32) {
         atomicMax(&control[instance].held, 1u);
     }
     let share = ramp_share(instance);
-    let goal = crease_states[i].start * (1.0 - share) + crease_states[i].goal * share;
+    let target_now = crease_states[i].start_target * (1.0 - share) + crease_states[i].end_target * share;
     crease_states[i].angle = angle;
-    crease_states[i].moment = crease_stiffness(instance, h) * (goal - angle);
+    crease_states[i].moment = crease_stiffness(instance, h) * (target_now - angle);
 }
 
 @compute @workgroup_size(WORKGROUP)
-fn edges(@builtin(global_invocation_id) id: vec3<u32>) {
+fn fold_angles(@builtin(global_invocation_id) id: vec3<u32>) {
     if (id.x < CREASES && control[id.y].stop == RUNNING) {
-        edge(id.y, id.x);
+        fold_angle(id.y, id.x);
     }
 }

@@ -4,11 +4,11 @@ use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per};
 
-/// The kernel of `moves.wgsl`.
+/// The kernel of `fire_move.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "moves",
-    entry: "move_nodes",
-    text: wgsl::MOVES,
+    name: "fire_move",
+    entry: "fire_move",
+    text: wgsl::FIRE_MOVE,
     parts: |_| vec![wgsl::GATHER, wgsl::FIRE],
     uses: &[Binding::Control, Binding::Nodes],
     springs: false,
@@ -24,7 +24,7 @@ mod tests {
     use crate::paper::testing::{Random, cases, farthest};
     use crate::testing::bench::{Bench, held};
     use crate::testing::gpu;
-    use crate::variant::Motion;
+    use crate::variant::Scheme;
 
     /// In radii: the last digit of a move of a tenth.
     const TOLERANCE: f64 = 2e-8;
@@ -39,15 +39,15 @@ mod tests {
     fn moved(nodes: &[Node], how: [f32; 4]) -> [Vec<glam::DVec3>; 2] {
         let [keep, towards, back, step] = how.map(f64::from);
         let turned = |n: &Node| vector(n.velocity) * keep + vector(n.force) * (towards / f64::from(n.mass));
-        let place = |n: &Node| n.position() + turned(n) * step + vector(n.velocity) * back;
-        [nodes.iter().map(turned).collect(), nodes.iter().map(place).collect()]
+        let position = |n: &Node| n.position() + turned(n) * step + vector(n.velocity) * back;
+        [nodes.iter().map(turned).collect(), nodes.iter().map(position).collect()]
     }
 
     #[test]
     fn nodes_move_as_was_decided() {
         let Some(gpu) = gpu() else { return };
         let case = held(&cases()[3]);
-        let bench = Bench::new(&gpu, &case, Motion::Relax);
+        let bench = Bench::new(&gpu, &case, Scheme::Relax);
         let mut random = Random(3);
         bench.change_nodes(|_, node| {
             node.velocity = random.vector(0.2).as_vec3().to_array();
@@ -59,14 +59,14 @@ mod tests {
         bench.run(&[&KERNEL], false);
         let after = bench.nodes();
         let velocities: Vec<_> = after.iter().map(|n| vector(n.velocity)).collect();
-        let places: Vec<_> = after.iter().map(Node::position).collect();
+        let positions: Vec<_> = after.iter().map(Node::position).collect();
         let [turned, went] = moved(&before, HOW);
-        assert!(farthest(&velocities, &turned) < TOLERANCE && farthest(&places, &went) < TOLERANCE);
+        assert!(farthest(&velocities, &turned) < TOLERANCE && farthest(&positions, &went) < TOLERANCE);
         assert!(after.iter().all(|n| n.low.iter().all(|low| f64::from(low.abs()) < 0.51 / 4096.0)), "split anew");
         for wrong in 0..4 {
             let mut how = HOW;
             how[wrong] *= 1.0 + 1e-5;
-            assert!(farthest(&places, &moved(&before, how)[1]) > TOLERANCE, "{wrong}: it is seen");
+            assert!(farthest(&positions, &moved(&before, how)[1]) > TOLERANCE, "{wrong}: it is seen");
         }
         assert_eq!(bench.control().bad_node, NONE);
     }
@@ -76,7 +76,7 @@ mod tests {
         let Some(gpu) = gpu() else { return };
         let case = held(&cases()[3]);
         let found = |change: &dyn Fn(usize, &mut Node)| {
-            let bench = Bench::new(&gpu, &case, Motion::Relax);
+            let bench = Bench::new(&gpu, &case, Scheme::Relax);
             bench.change_nodes(|i, node| {
                 node.velocity = [0.0; 3];
                 change(i, node);
@@ -85,11 +85,11 @@ mod tests {
             bench.run(&[&KERNEL], false);
             bench.control().bad_node
         };
-        let far = |share: f64| move |node: &mut Node| node.place(glam::DVec3::X * (FARTHEST * share));
+        let far = |share: f64| move |node: &mut Node| node.set_position(glam::DVec3::X * (FARTHEST * share));
         let fast = |share: f64| move |node: &mut Node| node.velocity = [0.0, (LONGEST_MOVE * share) as f32, 0.0];
-        let only = |place: usize, change: &dyn Fn(&mut Node)| {
+        let only = |index: usize, change: &dyn Fn(&mut Node)| {
             found(&|i, node| {
-                if i == place {
+                if i == index {
                     change(node);
                 }
             })

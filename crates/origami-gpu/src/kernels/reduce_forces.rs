@@ -4,11 +4,11 @@ use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per};
 
-/// The kernel of `weigh.wgsl`.
+/// The kernel of `reduce_forces.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "weigh",
-    entry: "weigh_nodes",
-    text: wgsl::WEIGH,
+    name: "reduce_forces",
+    entry: "reduce_forces",
+    text: wgsl::REDUCE_FORCES,
     parts: |_| vec![wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::FIRE],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows, Binding::Partials],
     springs: false,
@@ -20,13 +20,13 @@ mod tests {
     use glam::DVec4;
     use origami_core::solve::row_sums;
 
-    use super::super::{edges, faces, row_sums as row_sums_kernel};
+    use super::super::{fold_angles, row_sums as row_sums_kernel, triangle_forces};
     use super::*;
     use crate::layout::vector;
     use crate::paper::testing::{Case, ROUNDING, cases, tampered, worst};
     use crate::testing::bench::{Bench, held};
     use crate::testing::{gpu, magnitudes, sheets};
-    use crate::variant::Motion;
+    use crate::variant::Scheme;
 
     /// Masses, in roundings of all that is summed: as for the row sums themselves.
     const MASS: f64 = 8.0;
@@ -66,11 +66,11 @@ mod tests {
         let Some(gpu) = gpu() else { return };
         for case in cases().into_iter().chain(sheets::special()) {
             let case = held(&case);
-            let bench = Bench::new(&gpu, &case, Motion::Relax);
-            bench.run(&bench.with_loose(&[&edges::KERNEL, &faces::KERNEL]), false);
+            let bench = Bench::new(&gpu, &case, Scheme::Relax);
+            bench.run(&bench.with_loose(&[&fold_angles::KERNEL, &triangle_forces::KERNEL]), false);
             bench.run(&[&row_sums_kernel::KERNEL, &KERNEL], false);
             let (masses, sums) = (mass_error(&case, &bench), sums_error(&bench));
-            println!("weigh, {}: masses {masses:.2}, sums {sums:.2}", case.name);
+            println!("reduce_forces, {}: masses {masses:.2}, sums {sums:.2}", case.name);
             assert!(masses < MASS && sums < SUMS, "{}: {masses} and {sums} roundings", case.name);
             if !case.model.creases.is_empty() {
                 assert!(mass_error(&tampered(&case), &bench) > MASS, "{}: a moved node is seen", case.name);
@@ -91,12 +91,12 @@ mod tests {
     #[test]
     fn masses_are_renewed_now_and_then_only() {
         let Some(gpu) = gpu() else { return };
-        let bench = Bench::new(&gpu, &held(&cases()[3]), Motion::Relax);
+        let bench = Bench::new(&gpu, &held(&cases()[3]), Scheme::Relax);
         let renewal = origami_core::solve::fire::RENEWAL as u32;
         for (step, renewed) in [(1, false), (renewal - 1, false), (renewal, true), (3 * renewal, true)] {
             bench.change_nodes(|_, node| node.mass = 1.0);
             bench.change_control(|c| c.step = step);
-            bench.run(&[&edges::KERNEL, &faces::KERNEL, &row_sums_kernel::KERNEL, &KERNEL], false);
+            bench.run(&[&fold_angles::KERNEL, &triangle_forces::KERNEL, &row_sums_kernel::KERNEL, &KERNEL], false);
             assert_eq!(bench.nodes()[0].mass != 1.0, renewed, "step {step}");
         }
     }

@@ -1,20 +1,21 @@
-// When to stop, per node: how far it moved in the window, and how its force changed. The springs' forces lie in the slots.
+// The stopping rule, per node: how far it moved in the window, and how its force changed. The springs' forces lie in the
+// slots.
 
 @compute @workgroup_size(WORKGROUP)
-fn settle(
+fn settle_windows(
     @builtin(workgroup_id) group: vec3<u32>,
     @builtin(global_invocation_id) id: vec3<u32>,
     @builtin(local_invocation_index) local: u32,
 ) {
     let instance = id.y;
-    // The square of the way, the least distance; force along the way, its change along the way.
+    // The square of the move, the least distance; force along the move, its change along the move.
     var own = vec4<f32>(0.0);
-    let looks = control[instance].stop == RUNNING && ramp_is_done(instance) && window_ends(instance);
-    if (id.x < NODES && looks) {
+    let checks_now = control[instance].stop == RUNNING && ramp_is_done(instance) && window_ends(instance);
+    if (id.x < NODES && checks_now) {
         let node = instance * NODES + id.x;
         let force = gathered(instance, id.x).xyz;
         let before = windows[node];
-        let moved = vector(between(Place(before.high, before.low), place(node)));
+        let moved = vector(difference(SplitVector(before.high, before.low), position_of(node)));
         own = vec4<f32>(
             dot(moved, moved),
             sqrt(dot(force, force)) * nodes[node].softness,

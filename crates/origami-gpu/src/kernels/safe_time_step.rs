@@ -4,11 +4,11 @@ use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per};
 
-/// The kernel of `renew.wgsl`.
+/// The kernel of `safe_time_step.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "renew",
-    entry: "renew",
-    text: wgsl::RENEW,
+    name: "safe_time_step",
+    entry: "safe_time_step",
+    text: wgsl::SAFE_TIME_STEP,
     parts: |_| Vec::new(),
     uses: &[Binding::Control],
     springs: false,
@@ -20,7 +20,7 @@ mod tests {
     use origami_core::glam::DVec3;
     use origami_core::solve::{Integrator, time_step};
 
-    use super::super::{edges, faces, row_sums, stiffest};
+    use super::super::{fold_angles, row_sums, stiffness_max, triangle_forces};
     use super::*;
     use crate::paper::testing::{Case, cases};
     use crate::testing::bench::{Bench, EULER, VERLET, held};
@@ -40,20 +40,20 @@ mod tests {
         let Some(gpu) = gpu() else { return };
         for (i, case) in cases().into_iter().chain(sheets::special()).enumerate() {
             let case = held(&case);
-            let (motion, integrator) =
+            let (scheme, integrator) =
                 if i % 2 == 0 { (EULER, Integrator::Euler) } else { (VERLET, Integrator::Verlet) };
-            let bench = Bench::new(&gpu, &case, motion);
-            bench.run(&bench.with_loose(&[&edges::KERNEL, &faces::KERNEL]), false);
-            bench.run(&[&row_sums::KERNEL, &stiffest::KERNEL, &KERNEL], false);
+            let bench = Bench::new(&gpu, &case, scheme);
+            bench.run(&bench.with_loose(&[&fold_angles::KERNEL, &triangle_forces::KERNEL]), false);
+            bench.run(&[&row_sums::KERNEL, &stiffness_max::KERNEL, &KERNEL], false);
             let control = bench.control();
             let found = off(&case, control.next_step, integrator);
-            println!("renew, {}: {found:.1e}", case.name);
+            println!("safe_time_step, {}: {found:.1e}", case.name);
             assert!(found < TOLERANCE, "{}: {found}", case.name);
             let mut stiffer = case.clone();
             stiffer.model.beams.iter_mut().for_each(|b| b.stiffness *= 1.01);
             stiffer.model.creases.iter_mut().for_each(|c| c.stiffness *= 1.01);
             assert!(off(&stiffer, control.next_step, integrator) > TOLERANCE, "{}: it is seen", case.name);
-            assert_eq!((control.stiffest, control.swiftest), (0, 0), "ready for the next time");
+            assert_eq!((control.stiffness_max, control.speed_squared_max), (0, 0), "ready for the next time");
         }
     }
 
@@ -65,9 +65,9 @@ mod tests {
             case.state.velocities.iter_mut().for_each(|v| *v = DVec3::Y * velocity);
             for (step, before) in [(0, 1e-9), (20, 1e-9), (20, 1.0)] {
                 let bench = Bench::new(&gpu, &case, EULER);
-                bench.run(&bench.with_loose(&[&edges::KERNEL, &faces::KERNEL]), false);
+                bench.run(&bench.with_loose(&[&fold_angles::KERNEL, &triangle_forces::KERNEL]), false);
                 bench.change_control(|c| (c.step, c.next_step) = (step, before));
-                bench.run(&[&row_sums::KERNEL, &stiffest::KERNEL, &KERNEL], false);
+                bench.run(&[&row_sums::KERNEL, &stiffness_max::KERNEL, &KERNEL], false);
                 let safe = time_step::safe(&case.model, &case.state.positions, Integrator::Euler);
                 let want = time_step::renewed(safe, &case.state.velocities, (step > 0).then_some(f64::from(before)));
                 let found = f64::from(bench.control().next_step);

@@ -4,11 +4,11 @@ use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per, creases};
 
-/// The kernel of `edges.wgsl`.
+/// The kernel of `fold_angles.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "edges",
-    entry: "edges",
-    text: wgsl::EDGES,
+    name: "fold_angles",
+    entry: "fold_angles",
+    text: wgsl::FOLD_ANGLES,
     parts: creases,
     uses: &[Binding::Control, Binding::Nodes, Binding::CreaseStates, Binding::Hinges],
     springs: false,
@@ -25,7 +25,7 @@ mod tests {
     use crate::paper::testing::{Case, ROUNDING, cases, collapsed, tampered, worst};
     use crate::testing::bench::{Bench, EULER, held};
     use crate::testing::{gpu, magnitudes};
-    use crate::variant::Motion;
+    use crate::variant::Scheme;
 
     /// In roundings of pi, in triangles that are not thin: 2e-7 radians come from [`wgsl::ANGLE`] and the rest from its
     /// arguments, some ten operations.
@@ -67,7 +67,7 @@ mod tests {
             let case = held(&case);
             let got = states(&gpu, &case);
             let errors = errors(&case, &got);
-            println!("edges, {}: {errors:.2?}", case.name);
+            println!("fold_angles, {}: {errors:.2?}", case.name);
             assert!(errors.iter().all(|e| *e < TOLERANCE), "{}: {errors:?} roundings", case.name);
             assert!(self::errors(&tampered(&case), &got).iter().all(|e| *e > TOLERANCE), "a moved node is seen");
             let mut stiffer = case.clone();
@@ -88,7 +88,7 @@ mod tests {
                     .zip(angles)
                     .map(|(got, want)| ((f64::from(got.angle) - want).abs(), 2e-7 + ROUNDING * want.abs())),
             );
-            println!("edges, {}: {off:.2} of 2e-7 radians", case.name);
+            println!("fold_angles, {}: {off:.2} of 2e-7 radians", case.name);
             assert!(off < 1.5, "{}: {off}", case.name);
         }
     }
@@ -113,19 +113,19 @@ mod tests {
     fn a_crease_that_turns_fast_holds_the_ramp_of_a_relaxation() {
         let Some(gpu) = gpu() else { return };
         let case = held(&cases()[0]);
-        let held_after = |motion, turned: f64| {
+        let held_after = |scheme, turned: f64| {
             let mut case = case.clone();
             let angles = creases::fold_angles(&case.model, &case.state.positions, &case.state.fold_angles);
             case.state.fold_angles = angles.iter().map(|a| f64::from(*a as f32)).collect();
             case.state.fold_angles[5] += turned;
-            let bench = Bench::new(&gpu, &case, motion);
+            let bench = Bench::new(&gpu, &case, scheme);
             bench.run(&[&KERNEL], false);
             bench.control().held
         };
         let hold = origami_core::solve::relax::HOLD;
-        assert_eq!(held_after(Motion::Relax, 1.01 * hold), 1);
-        assert_eq!(held_after(Motion::Relax, -1.01 * hold), 1);
-        assert_eq!(held_after(Motion::Relax, 0.99 * hold), 0);
+        assert_eq!(held_after(Scheme::Relax, 1.01 * hold), 1);
+        assert_eq!(held_after(Scheme::Relax, -1.01 * hold), 1);
+        assert_eq!(held_after(Scheme::Relax, 0.99 * hold), 0);
         assert_eq!(held_after(EULER, 1.01 * hold), 0, "the ramp of dynamics does not wait");
     }
 
@@ -135,7 +135,7 @@ mod tests {
         let case = held(&cases()[3]);
         let bench = Bench::new(&gpu, &case, EULER);
         let mut states: Vec<CreaseState> = bench.read(Binding::CreaseStates, case.model.creases.len());
-        states.iter_mut().for_each(|s| s.start = 0.5 * s.goal - 0.25);
+        states.iter_mut().for_each(|s| s.start_target = 0.5 * s.end_target - 0.25);
         bench.write(Binding::CreaseStates, &states);
         bench.change_control(|c| (c.ramp_step, c.ramp_length) = (3, 8));
         bench.run(&[&KERNEL], false);

@@ -1,7 +1,7 @@
-//! Where a simulation's nodes are, without a way through the processor.
+//! Positions of a simulation's nodes for drawing, without a way through the processor.
 
 use origami_shaders::STATE;
-use origami_shaders::render::PLACES;
+use origami_shaders::render::NODE_POSITIONS;
 
 use super::resolve::kernel;
 use crate::engine::Engine;
@@ -10,7 +10,7 @@ use crate::kernels::Binding;
 
 /// The text of the kernel.
 pub(super) fn source() -> String {
-    [STATE, PLACES].join("\n")
+    [STATE, NODE_POSITIONS].join("\n")
 }
 
 /// Positions of the engine's first sheet, as shaders that draw read them.
@@ -27,7 +27,7 @@ pub(super) fn positions(engine: &Engine) -> Result<wgpu::Buffer, GpuError> {
             mapped_at_creation: false,
         });
         let constants = [("NODES", count as f64), ("WORKGROUP", f64::from(engine.variant.workgroup))];
-        let pipeline = kernel(gpu, "place_nodes", &source(), &constants);
+        let pipeline = kernel(gpu, "node_positions", &source(), &constants);
         let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("positions"),
             layout: &pipeline.get_bind_group_layout(0),

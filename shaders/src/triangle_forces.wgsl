@@ -1,9 +1,9 @@
 // Second pass: the forces of beams, creases, corner angles and damping on the corners of every triangle.
 //
-// A side has the beam of two faces: each does half. A crease acts on a face along its normal N only: with the moment t, the
-// side's length l and g = t / (l |N|^2), the corner opposite to it feels g l^2 N, each end -g N times the dot product at the
-// other end (paper 2.3 with cotangents written out). The corner angles (2.4) on a side pull along N x side. Each face's
-// forces sum to zero.
+// Two triangles share the beam on a side: each does half. A crease acts on a triangle along its normal N only: with the
+// moment t, the side's length l and g = t / (l |N|^2), the corner opposite to it feels g l^2 N, each end -g N times the dot
+// product at the other end (paper 2.3 with cotangents written out). The corner angles (2.4) on a side pull along N x side.
+// The forces of each triangle sum to zero.
 
 // The moment of the crease on a side; 0 where there is none.
 fn moment(instance: u32, side: u32) -> f32 {
@@ -22,7 +22,7 @@ fn tension(stiffness: f32, length: f32, rest: f32, excess: f32) -> f32 {
     return stiffness * excess / ((length + rest) * length);
 }
 
-fn face(instance: u32, f: u32) {
+fn forces_of_triangle(instance: u32, f: u32) {
     let own = faces[f];
     let t = triangle(instance, own);
     let lengths = sqrt(t.squares);
@@ -39,9 +39,9 @@ fn face(instance: u32, f: u32) {
         if (DAMPED) {
             let base = instance * NODES;
             let next = (i + 1u) % 3u;
-            let apart = nodes[base + own.nodes[next]].velocity - nodes[base + own.nodes[i]].velocity;
+            let velocity_difference = nodes[base + own.nodes[next]].velocity - nodes[base + own.nodes[i]].velocity;
             // c = 2 zeta sqrt(k) (2.5), masses 1.
-            along[i] += apart * (part(own.sides[i]) * 2.0 * zeta(instance) * sqrt(stiffness));
+            along[i] += velocity_difference * (part(own.sides[i]) * 2.0 * zeta(instance) * sqrt(stiffness));
         }
     }
 
@@ -68,7 +68,7 @@ fn face(instance: u32, f: u32) {
 }
 
 // Dynamics: one thread keeps the time between the passes that read it.
-fn tick(instance: u32) {
+fn advance_clock(instance: u32) {
     if (atomicLoad(&control[instance].bad_node) != NONE) {
         control[instance].stop = DIVERGED;
         return;
@@ -77,19 +77,19 @@ fn tick(instance: u32) {
     control[instance].ramp_step = min(control[instance].ramp_step + 1u, control[instance].ramp_length);
     control[instance].previous_step = control[instance].time_step;
     control[instance].time_step = control[instance].next_step;
-    atomicStore(&control[instance].farthest, 0u);
-    atomicStore(&control[instance].fastest, 0u);
+    atomicStore(&control[instance].distance_squared_max, 0u);
+    atomicStore(&control[instance].move_squared_max, 0u);
 }
 
-override TICKS: bool = false;
+override ADVANCES_CLOCK: bool;
 
 @compute @workgroup_size(WORKGROUP)
-fn faces_of_sheet(@builtin(global_invocation_id) id: vec3<u32>) {
+fn triangle_forces(@builtin(global_invocation_id) id: vec3<u32>) {
     let running = control[id.y].stop == RUNNING;
     if (id.x < FACES && running) {
-        face(id.y, id.x);
+        forces_of_triangle(id.y, id.x);
     }
-    if (TICKS && id.x == 0u && running) {
-        tick(id.y);
+    if (ADVANCES_CLOCK && id.x == 0u && running) {
+        advance_clock(id.y);
     }
 }

@@ -1,14 +1,14 @@
-//! The stopping rule, per instance.
+//! The stopping rule, per instance: whether it has settled.
 
 use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per};
 
-/// The kernel of `judge.wgsl`.
+/// The kernel of `settle_decide.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "judge",
-    entry: "judge",
-    text: wgsl::JUDGE,
+    name: "settle_decide",
+    entry: "settle_decide",
+    text: wgsl::SETTLE_DECIDE,
     parts: |_| vec![wgsl::REDUCE, wgsl::PARTIALS, wgsl::WINDOWS],
     uses: &[Binding::Control, Binding::Partials],
     springs: false,
@@ -24,7 +24,7 @@ mod tests {
     use crate::paper::testing::cases;
     use crate::testing::bench::{Bench, EULER, held};
     use crate::testing::gpu;
-    use crate::variant::Motion;
+    use crate::variant::Scheme;
 
     const TOLERANCE: f32 = 1e-4;
 
@@ -36,14 +36,14 @@ mod tests {
         bench.write(Binding::Partials, &partials);
     }
 
-    fn bench(gpu: &crate::Gpu, motion: Motion) -> Bench {
-        Bench::new(gpu, &held(&cases()[0]), motion)
+    fn bench(gpu: &crate::Gpu, scheme: Scheme) -> Bench {
+        Bench::new(gpu, &held(&cases()[0]), scheme)
     }
 
     #[test]
     fn distances_are_estimated_as_on_the_processor() {
         let Some(gpu) = gpu() else { return };
-        let bench = bench(&gpu, Motion::Relax);
+        let bench = bench(&gpu, Scheme::Relax);
         for (found, wanted) in [
             ([2e-3, 1e-3, 0.0, 1.0], 2e-3),
             ([2e-3, 5e-3, 0.0, 1.0], 5e-3),
@@ -58,14 +58,14 @@ mod tests {
         ] {
             let [largest, least, ahead, change] = found;
             write(&bench, largest, least, ahead, change);
-            bench.change_control(|c| (c.tick, c.window_end) = (1, 1));
+            bench.change_control(|c| (c.checks, c.window_end) = (1, 1));
             bench.run(&[&KERNEL], false);
             let got = bench.control().distance;
             assert!((got / wanted - 1.0).abs() < 1e-6, "{found:?}: {got} is not {wanted}");
         }
     }
 
-    /// The rule of `origami_core::solve::settle`, looked at every so many evaluations: windows end at the next look.
+    /// The rule of `origami_core::solve::settle`, checked every [`SHORTEST`] evaluations: windows end at the next check.
     #[derive(Default)]
     struct Twin {
         evaluations: u64,
@@ -91,24 +91,24 @@ mod tests {
         }
     }
 
-    /// Looks until it has settled; how many looks that took on the GPU.
-    fn looks(bench: &Bench, share_at: impl Fn(u32) -> f64) -> u32 {
+    /// Checks until it has settled; how many checks that took on the GPU.
+    fn checks_until_settled(bench: &Bench, share_at: impl Fn(u32) -> f64) -> u32 {
         bench.change_control(|c| {
             let (limit, bad_node) = (c.limit, c.bad_node);
             *c = Control { limit, bad_node, tolerance: TOLERANCE, stops_when_settled: 1, ..Control::default() };
         });
         let mut twin = Twin::default();
-        for look in 0..200 {
-            let share = share_at(look);
+        for check in 0..200 {
+            let share = share_at(check);
             write(bench, share as f32 * TOLERANCE, 0.0, 0.0, 1.0);
             bench.run(&[&KERNEL], false);
             let settled = twin.observe(share);
             let control = bench.control();
-            assert_eq!(control.stop == SETTLED, settled, "look {look}");
-            assert_eq!(control.settled_windows, twin.settled_windows, "look {look}");
-            assert_eq!(u64::from(control.window_end) * SHORTEST, twin.window_ends, "look {look}");
+            assert_eq!(control.stop == SETTLED, settled, "check {check}");
+            assert_eq!(control.settled_windows, twin.settled_windows, "check {check}");
+            assert_eq!(u64::from(control.window_end) * SHORTEST, twin.window_ends, "check {check}");
             if settled {
-                return look;
+                return check;
             }
         }
         panic!("never settled");
@@ -117,14 +117,15 @@ mod tests {
     #[test]
     fn windows_are_counted_as_on_the_processor() {
         let Some(gpu) = gpu() else { return };
-        let bench = bench(&gpu, Motion::Relax);
-        let far = |until: u32, then: f64| move |look: u32| if look < until { 5.0 } else { then };
+        let bench = bench(&gpu, Scheme::Relax);
+        let far = |until: u32, then: f64| move |check: u32| if check < until { 5.0 } else { then };
         let least = (LEAST / SHORTEST) as u32;
-        assert_eq!(looks(&bench, |_| 0.01), least, "never before");
+        assert_eq!(checks_until_settled(&bench, |_| 0.01), least, "never before");
         assert_eq!(bench.control().step, 1, "the evaluation that found it counts");
-        let (small, middling) = (looks(&bench, far(60, 0.01)), looks(&bench, far(60, 0.2)));
+        let (small, middling) =
+            (checks_until_settled(&bench, far(60, 0.01)), checks_until_settled(&bench, far(60, 0.2)));
         assert!(small < middling, "a small share counts twice");
-        assert!(looks(&bench, |look| if look % 40 == 30 { 5.0 } else { 0.2 }) > 3);
+        assert!(checks_until_settled(&bench, |check| if check % 40 == 30 { 5.0 } else { 0.2 }) > 3);
     }
 
     #[test]
@@ -134,7 +135,7 @@ mod tests {
         write(&bench, 0.0, 0.0, 0.0, 0.0);
         let stop = |stops_when_settled: u32| {
             bench.change_control(|c| {
-                (c.stop, c.tick, c.window_end, c.settled_windows) = (0, 20, 20, 5);
+                (c.stop, c.checks, c.window_end, c.settled_windows) = (0, 20, 20, 5);
                 c.stops_when_settled = stops_when_settled;
             });
             bench.run(&[&KERNEL], false);

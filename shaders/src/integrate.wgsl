@@ -22,7 +22,7 @@ fn verlet(instance: u32, n: u32) {
     advance(instance, n, dt * midway);
 }
 
-fn node_step(instance: u32, n: u32) {
+fn integrate_node(instance: u32, n: u32) {
     if (VERLET) {
         verlet(instance, n);
     } else {
@@ -31,8 +31,8 @@ fn node_step(instance: u32, n: u32) {
 }
 
 @compute @workgroup_size(WORKGROUP)
-fn nodes_of_sheet(@builtin(global_invocation_id) id: vec3<u32>) {
+fn integrate(@builtin(global_invocation_id) id: vec3<u32>) {
     if (id.x < NODES && control[id.y].stop == RUNNING) {
-        node_step(id.y, id.x);
+        integrate_node(id.y, id.x);
     }
 }

@@ -4,11 +4,11 @@ use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per, springs};
 
-/// The kernel of `faces.wgsl`.
+/// The kernel of `triangle_forces.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "faces",
-    entry: "faces_of_sheet",
-    text: wgsl::FACES,
+    name: "triangle_forces",
+    entry: "triangle_forces",
+    text: wgsl::TRIANGLE_FORCES,
     parts: springs,
     uses: &[Binding::Control, Binding::Nodes, Binding::CreaseStates, Binding::Faces, Binding::Slots],
     springs: true,
@@ -20,21 +20,21 @@ mod tests {
     use glam::{DVec3, DVec4};
     use origami_core::forces::{Forces, damping};
 
-    use super::super::edges;
+    use super::super::fold_angles;
     use super::*;
     use crate::Gpu;
     use crate::paper::testing::{Case, ROUNDING, cases, collapsed, tampered, worst};
     use crate::testing::bench::{Bench, EULER, held};
     use crate::testing::{gpu, magnitudes, sheets};
-    use crate::variant::Motion;
+    use crate::variant::Scheme;
 
     /// In roundings of all that is summed at a node. Each spring's force is some ten operations; roots and quotients may be
     /// off by 3.
     const TOLERANCE: f64 = 4.0;
 
-    fn sums(gpu: &Gpu, case: &Case, motion: Motion) -> Vec<DVec4> {
-        let bench = Bench::new(gpu, case, motion);
-        bench.run(&bench.with_loose(&[&edges::KERNEL, &KERNEL]), false);
+    fn sums(gpu: &Gpu, case: &Case, scheme: Scheme) -> Vec<DVec4> {
+        let bench = Bench::new(gpu, case, scheme);
+        bench.run(&bench.with_loose(&[&fold_angles::KERNEL, &KERNEL]), false);
         bench.gathered()
     }
 
@@ -86,13 +86,13 @@ mod tests {
             let damped = case.model.material.zeta > 0.0;
             let got = sums(&gpu, &case, EULER);
             let error = error(&case, &got, damped);
-            println!("faces, {}: {error:.2}", case.name);
+            println!("triangle_forces, {}: {error:.2}", case.name);
             assert!(error < TOLERANCE, "{}: {error} roundings", case.name);
             for (what, wrong) in wrongs(&case) {
                 let seen = self::error(&wrong, &got, damped);
                 assert!(seen > TOLERANCE || !damped && what == "a velocity", "{}: {what} is seen", case.name);
             }
-            let relaxing = self::error(&case, &sums(&gpu, &case, Motion::Relax), false);
+            let relaxing = self::error(&case, &sums(&gpu, &case, Scheme::Relax), false);
             assert!(relaxing < TOLERANCE, "{}, no damping in a relaxation: {relaxing} roundings", case.name);
         }
     }
@@ -137,7 +137,7 @@ mod tests {
         let way = DVec3::new(0.6e-9, -0.5e-9, 0.62e-9);
         let case = held(&sheets::beam(far, far + way));
         let [from, to] = [0, 1].map(|node| case.state.positions[node]);
-        let got = sums(&gpu, &case, Motion::Relax);
+        let got = sums(&gpu, &case, Scheme::Relax);
         // The beam is squeezed to nearly nothing, and pushes along what is left.
         let push = (got[0].truncate() - got[1].truncate()).normalize();
         assert!(push.dot(to - from) < 0.0);
@@ -155,7 +155,7 @@ mod tests {
         for elongation in [1e-7, -1e-7, 3e-8] {
             let rest = sheets::beam_length();
             let case = held(&sheets::beam(far, far + direction * (rest + elongation)));
-            let got = sums(&gpu, &case, Motion::Relax)[0].truncate();
+            let got = sums(&gpu, &case, Scheme::Relax)[0].truncate();
             let beam = &case.model.beams[sheets::BEAM];
             let stretched = case.state.positions[0].distance(case.state.positions[1]) - beam.rest_length;
             assert!((stretched / elongation - 1.0).abs() < 1e-3, "the case is what it says: {stretched}");
@@ -163,7 +163,7 @@ mod tests {
             assert!(got.distance(want) < 1e-3 * want.length(), "{elongation}: {got} is not {want}");
             let mut wrong = case.clone();
             wrong.state.positions[1] += direction * 0.01 * elongation;
-            let got = sums(&gpu, &held(&wrong), Motion::Relax)[0].truncate();
+            let got = sums(&gpu, &held(&wrong), Scheme::Relax)[0].truncate();
             assert!(got.distance(want) > 1e-3 * want.length(), "a hundredth of the elongation is seen");
         }
     }

@@ -1,5 +1,5 @@
-// When to stop, per instance: were the energy a parabola along the window's move, its minimum would lie |F.dx| / |dx.dF|
-// moves further on. One workgroup an instance.
+// The stopping rule, per instance: were the energy a parabola along the window's move, its minimum would lie
+// |F.dx| / |dx.dF| moves further on. One workgroup an instance.
 
 // A move by less than this share of the tolerance, which the forces do not feel in f32, is rest.
 const STILL: f32 = 1e-3;
@@ -17,10 +17,10 @@ fn estimate(found: vec4<f32>, tolerance: f32) -> f32 {
     return max(max(largest, largest * abs(found.z / found.w)), least);
 }
 
-fn judge_window(instance: u32, found: vec4<f32>) {
-    let tick = control[instance].tick;
+fn decide_at_window(instance: u32, found: vec4<f32>) {
+    let checks = control[instance].checks;
     if (window_ends(instance)) {
-        if (tick > 0u) {
+        if (checks > 0u) {
             let distance = estimate(found, control[instance].tolerance);
             control[instance].distance = distance;
             let share = distance / control[instance].tolerance;
@@ -32,10 +32,10 @@ fn judge_window(instance: u32, found: vec4<f32>) {
                 control[instance].settled_windows = 0u;
             }
         }
-        control[instance].window_end = tick + max(1u, u32(ceil(SHARE_OF_PAST * f32(tick))));
+        control[instance].window_end = checks + max(1u, u32(ceil(SHARE_OF_PAST * f32(checks))));
     }
-    control[instance].tick = tick + 1u;
-    let settled = control[instance].settled_windows >= WINDOWS && tick >= LEAST_TICKS;
+    control[instance].checks = checks + 1u;
+    let settled = control[instance].settled_windows >= WINDOWS && checks >= LEAST_CHECKS;
     if (settled && control[instance].stops_when_settled != 0u) {
         control[instance].stop = SETTLED;
         if (RELAXING) {
@@ -45,7 +45,7 @@ fn judge_window(instance: u32, found: vec4<f32>) {
 }
 
 @compute @workgroup_size(WORKGROUP)
-fn judge(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+fn settle_decide(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let instance = group.y;
     var own = vec4<f32>(0.0);
     for (var i = local; i < GROUPS; i += WORKGROUP) {
@@ -53,6 +53,6 @@ fn judge(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     }
     let found = workgroup_maxima_and_sums(local, own);
     if (local == 0u && control[instance].stop == RUNNING && ramp_is_done(instance)) {
-        judge_window(instance, found);
+        decide_at_window(instance, found);
     }
 }

@@ -1,7 +1,7 @@
-// Fourth pass of a relaxation, one workgroup an instance: adds the sums up and decides how far to go.
+// Fourth pass of a relaxation, one workgroup an instance: adds up the sums and updates FIRE's step and mixing.
 
 @compute @workgroup_size(WORKGROUP)
-fn decide(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+fn fire_update(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let instance = group.y;
     var own = vec4<f32>(0.0);
     for (var i = local; i < GROUPS; i += WORKGROUP) {
@@ -14,7 +14,7 @@ fn decide(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
         } else if (control[instance].step >= control[instance].limit) {
             control[instance].stop = LIMITED;
         } else {
-            fire(instance, sums);
+            update_fire(instance, sums);
         }
     }
 }

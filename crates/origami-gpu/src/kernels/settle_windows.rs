@@ -1,14 +1,14 @@
-//! The stopping rule, per node.
+//! The stopping rule, per node: moves and forces over a window.
 
 use origami_shaders as wgsl;
 
 use super::{Binding, Kernel, Per};
 
-/// The kernel of `settle.wgsl`.
+/// The kernel of `settle_windows.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
-    name: "settle",
-    entry: "settle",
-    text: wgsl::SETTLE,
+    name: "settle_windows",
+    entry: "settle_windows",
+    text: wgsl::SETTLE_WINDOWS,
     parts: |_| vec![wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::WINDOWS],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows, Binding::Partials, Binding::Windows],
     springs: false,
@@ -21,15 +21,15 @@ mod tests {
     use origami_core::forces::Forces;
     use origami_core::solve::row_sums;
 
-    use super::super::{edges, faces, judge};
+    use super::super::{fold_angles, settle_decide, triangle_forces};
     use super::*;
     use crate::paper::testing::{Case, Random, cases};
     use crate::testing::bench::{Bench, held};
     use crate::testing::{gpu, sheets};
-    use crate::variant::Motion;
+    use crate::variant::Scheme;
 
     /// Relative to the magnitude of what is summed: forces in single precision, over some hundred nodes. The fold angles of
-    /// the second look start from the first one's, which changes nothing but rounding.
+    /// the second check start from the first one's, which changes nothing but rounding.
     const TOLERANCE: f64 = 1e-5;
 
     /// The largest square of a move, the least distance, force along the moves and its change along them, as the core's
@@ -72,15 +72,15 @@ mod tests {
         let Some(gpu) = gpu() else { return };
         for case in cases().into_iter().skip(3).chain(sheets::special()) {
             let (then, now) = (held(&case), later(&case));
-            let bench = Bench::new(&gpu, &then, Motion::Relax);
-            let look = || {
-                bench.run(&bench.with_loose(&[&edges::KERNEL, &faces::KERNEL]), false);
-                bench.run(&[&KERNEL, &judge::KERNEL], false);
+            let bench = Bench::new(&gpu, &then, Scheme::Relax);
+            let check = || {
+                bench.run(&bench.with_loose(&[&fold_angles::KERNEL, &triangle_forces::KERNEL]), false);
+                bench.run(&[&KERNEL, &settle_decide::KERNEL], false);
             };
-            look();
-            assert_eq!((bench.control().tick, bench.control().window_end), (1, 1), "a window has begun");
-            bench.change_nodes(|i, node| node.place(now.state.positions[i]));
-            look();
+            check();
+            assert_eq!((bench.control().checks, bench.control().window_end), (1, 1), "a window has begun");
+            bench.change_nodes(|i, node| node.set_position(now.state.positions[i]));
+            check();
             let partials: Vec<[f32; 4]> = bench.read(Binding::Partials, bench.groups());
             let got = partials
                 .iter()
@@ -104,21 +104,21 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_looked_at_before_the_ramp_is_done_or_within_a_window() {
+    fn nothing_is_checked_before_the_ramp_is_done_or_within_a_window() {
         let Some(gpu) = gpu() else { return };
-        let bench = Bench::new(&gpu, &held(&cases()[3]), Motion::Relax);
-        let looked = |ramp: (u32, u32), ticks: (u32, u32)| {
-            bench.write(Binding::Windows, &vec![crate::layout::Before::default(); bench.scene.nodes]);
+        let bench = Bench::new(&gpu, &held(&cases()[3]), Scheme::Relax);
+        let is_checked = |ramp: (u32, u32), checks: (u32, u32)| {
+            bench.write(Binding::Windows, &vec![crate::layout::Before::default(); bench.arrays.nodes]);
             bench.change_control(|c| {
                 (c.ramp_step, c.ramp_length) = ramp;
-                (c.tick, c.window_end) = ticks;
+                (c.checks, c.window_end) = checks;
             });
-            bench.run(&[&edges::KERNEL, &faces::KERNEL, &KERNEL], false);
-            let windows: Vec<crate::layout::Before> = bench.read(Binding::Windows, bench.scene.nodes);
+            bench.run(&[&fold_angles::KERNEL, &triangle_forces::KERNEL, &KERNEL], false);
+            let windows: Vec<crate::layout::Before> = bench.read(Binding::Windows, bench.arrays.nodes);
             windows.iter().any(|window| window.high != [0; 3])
         };
-        assert!(looked((0, 0), (0, 0)) && looked((5, 5), (7, 7)));
-        assert!(!looked((4, 5), (0, 0)), "on the ramp");
-        assert!(!looked((0, 0), (3, 4)), "within a window");
+        assert!(is_checked((0, 0), (0, 0)) && is_checked((5, 5), (7, 7)));
+        assert!(!is_checked((4, 5), (0, 0)), "on the ramp");
+        assert!(!is_checked((0, 0), (3, 4)), "within a window");
     }
 }

@@ -4,10 +4,10 @@ use origami_core::model::{Beam, Crease, Model};
 
 use crate::layout::{ALONE, CREASE, FACET, FOLD, Face, Hinge, LooseBeam, OWN, RIGHT, split_square};
 
-/// A scene as the shaders see it.
+/// What the shaders read of a sheet and never write.
 #[derive(Clone, Debug)]
-pub(crate) struct Scene {
-    /// Of one instance.
+pub(crate) struct SheetArrays {
+    /// Nodes of one instance.
     pub(crate) nodes: usize,
     pub(crate) hinges: Vec<Hinge>,
     pub(crate) faces: Vec<Face>,
@@ -22,8 +22,8 @@ pub(crate) struct Scene {
     pub(crate) fixed: bool,
 }
 
-impl Scene {
-    /// That of models which differ in nothing but their material; see [`same_springs`].
+impl SheetArrays {
+    /// The arrays of models which differ in nothing but their material; see [`same_springs`].
     pub(crate) fn new(models: &[&Model]) -> Self {
         let model = models[0];
         let (rows, face_slots, loose_slots) = slots(model);
@@ -84,8 +84,8 @@ impl Scene {
     }
 }
 
-/// Whether two models have springs at the same places and those with stiffnesses of their own have the same, so that one
-/// scene serves both. Models of one pattern can differ in the places only, where a stiffness is 0.
+/// Whether two models have springs in the same places, with the same stiffness where a spring has its own, so that one set
+/// of arrays serves both. Models of one pattern can differ in the places only where a stiffness is 0.
 pub(crate) fn same_springs(a: &Model, b: &Model) -> bool {
     a.rest == b.rest
         && a.mesh.triangles == b.mesh.triangles
@@ -154,10 +154,10 @@ fn sides_of_triangles(model: &Model) -> Vec<[SideOf; 3]> {
     let mut sides = vec![[SideOf { flagged: CREASE, beam: 0 }; 3]; model.mesh.triangles.len()];
     for (s, side) in model.mesh.sides.iter().enumerate() {
         let alone = if side.triangles[1].is_none() { ALONE } else { 0 };
-        for (place, triangle) in side.triangles.iter().enumerate() {
+        for (which, triangle) in side.triangles.iter().enumerate() {
             let Some(triangle) = triangle else { continue };
             // To the left of a side its triangle runs with it, to the right against it.
-            let (start, right) = if place == 0 { (side.nodes[0], 0) } else { (side.nodes[1], RIGHT) };
+            let (start, right) = if which == 0 { (side.nodes[0], 0) } else { (side.nodes[1], RIGHT) };
             let nodes = &model.mesh.triangles[triangle.index()];
             let Some(corner) = nodes.iter().position(|n| *n == start) else { continue };
             sides[triangle.index()][corner] = SideOf { flagged: crease_on[s] | alone | right, beam: s };

@@ -1,0 +1,8 @@
+// Last pass of a relaxation: moves every node by the step that FIRE has decided on.
+
+@compute @workgroup_size(WORKGROUP)
+fn fire_move(@builtin(global_invocation_id) id: vec3<u32>) {
+    if (id.x < NODES && control[id.y].stop == RUNNING) {
+        move_node(id.y, id.x);
+    }
+}

@@ -5,7 +5,7 @@ use origami_core::CreasePattern;
 use origami_core::generate::catalog;
 use origami_core::measure::{Strain, angle_error};
 use origami_core::model::{Material, Model};
-use origami_core::solve::Relax;
+use origami_core::solve::{Relax, Solver};
 
 /// No rigid state exists with these letters, or at these angles.
 const STRAINED: [&str; 3] = ["hypar", "curved-pleat", "fan"];

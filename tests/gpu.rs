@@ -10,7 +10,7 @@ use common::gpu::gpu;
 use common::largest_distance;
 use origami::generate::{BirdBase, Fan, Kresling, Miura, Waterbomb};
 use origami::glam::DVec3;
-use origami::gpu::{Dispatch, Gpu};
+use origami::gpu::{Dispatch, Gpu, GpuMethod};
 use origami::ids::VertexId;
 use origami::pattern::Assignment;
 use origami::solve::{Failed, Instance, Integrator, TimeStep, fold_path};
@@ -368,10 +368,7 @@ fn instances(models: &[Model]) -> Vec<Instance<'_>> {
 }
 
 /// Whether each of an ensemble is what it is alone, on the same adapter and by the same passes.
-fn same_as_alone<S: Clone>(gpu: &Gpu, method: &S, dispatch: Dispatch, instances: &[Instance<'_>])
-where
-    origami::gpu::OnGpu<S>: Solver,
-{
+fn same_as_alone<S: GpuMethod + Clone>(gpu: &Gpu, method: &S, dispatch: Dispatch, instances: &[Instance<'_>]) {
     let solver = gpu.with(method.clone()).dispatch(dispatch);
     let all = solver.fold_all(instances, &|_, _| ControlFlow::Continue(()));
     assert_eq!(all.len(), instances.len());

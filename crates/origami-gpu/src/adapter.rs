@@ -4,11 +4,13 @@ use std::cmp::Reverse;
 use std::fmt;
 
 use crate::error::GpuError;
+use crate::limits::{AdapterLimits, Lack};
 
 /// Nodes from which a hardware GPU is taken where nothing else is asked for.
 ///
-/// An estimate until figures of hardware are taken: the processor needs some 170 ns for a node and step, and a step on a
-/// GPU is five dispatches, so that below this size a GPU spends its time on starting them.
+/// An estimate until figures of hardware are taken: the processor needs some 54 ns for a node and step (`BENCHMARKS.md`),
+/// half a millisecond for a step of this size. A step on a GPU is three dispatches of dynamics or five of a relaxation, which
+/// cost as much to start on a small sheet as on a large one.
 pub const AUTO_NODES: usize = 10_000;
 
 /// The environment variable that names an adapter.
@@ -85,50 +87,6 @@ pub struct AdapterSummary {
     pub lacks: Option<Lack>,
 }
 
-/// The limits that tell how large a sheet an adapter can hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct AdapterLimits {
-    /// Storage buffers that one kernel can see.
-    pub storage_buffers_per_stage: u32,
-    /// Invocations in a workgroup.
-    pub invocations_per_workgroup: u32,
-    /// Memory that a workgroup shares, in bytes.
-    pub workgroup_storage: u32,
-    /// The part of a buffer that one kernel can see, in bytes.
-    pub storage_binding: u64,
-    /// A buffer, in bytes.
-    pub buffer: u64,
-}
-
-/// A limit that is not met.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Lack {
-    /// Its name, as wgpu has it.
-    pub limit: &'static str,
-    /// What the adapter allows.
-    pub has: u64,
-    /// What is needed: at least this; at most where the name begins with `min_`.
-    pub needed: u64,
-}
-
-impl Lack {
-    /// The first of the limits of `has` that stays behind the defaults.
-    fn of(has: &wgpu::Limits) -> Option<Self> {
-        let mut lack = None;
-        wgpu::Limits::default().check_limits_with_fail_fn(has, true, |limit, needed, has| {
-            lack.get_or_insert(Self { limit, has, needed });
-        });
-        lack
-    }
-}
-
-impl fmt::Display for Lack {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let at = if self.limit.starts_with("min_") { "at most" } else { "at least" };
-        write!(f, "its {} is {}; expected {at} {}", self.limit, self.has, self.needed)
-    }
-}
-
 impl AdapterSummary {
     pub(crate) fn of(adapter: &wgpu::Adapter) -> Self {
         let (info, limits) = (adapter.get_info(), adapter.limits());
@@ -136,13 +94,7 @@ impl AdapterSummary {
             kind: AdapterKind::of(&info),
             backend: backend_name(info.backend),
             driver: [info.driver.trim(), info.driver_info.trim()].join(" ").trim().to_owned(),
-            limits: AdapterLimits {
-                storage_buffers_per_stage: limits.max_storage_buffers_per_shader_stage,
-                invocations_per_workgroup: limits.max_compute_invocations_per_workgroup,
-                workgroup_storage: limits.max_compute_workgroup_storage_size,
-                storage_binding: limits.max_storage_buffer_binding_size,
-                buffer: limits.max_buffer_size,
-            },
+            limits: AdapterLimits::of(&limits),
             lacks: Lack::of(&limits),
             name: info.name,
         }
@@ -351,18 +303,6 @@ mod tests {
         there.retain(|adapter| adapter.backend == GL);
         assert!(there[0].lacks.is_some(), "the old one is first");
         assert_eq!(picked(&AdapterChoice::Any, &there), Ok("GeForce (GL)".to_owned()));
-    }
-
-    #[test]
-    fn limits_are_compared_in_their_own_sense() {
-        let default = wgpu::Limits::default();
-        assert_eq!(Lack::of(&default), None);
-        let better =
-            wgpu::Limits { max_buffer_size: 1 << 40, min_storage_buffer_offset_alignment: 32, ..default.clone() };
-        assert_eq!(Lack::of(&better), None);
-        let worse = wgpu::Limits { min_storage_buffer_offset_alignment: 512, ..default };
-        let lack = Lack::of(&worse).expect("an alignment that is too coarse");
-        assert_eq!(lack.to_string(), "its min_storage_buffer_offset_alignment is 512; expected at most 256");
     }
 
     #[test]

@@ -4,9 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, OnceLock};
 
 use crate::adapter::{AdapterChoice, AdapterSummary, found};
-use crate::engine::Dispatch;
 use crate::error::{GpuError, one_line};
-use crate::solver::OnGpu;
 
 /// An adapter that has been opened. Cloning it is cheap and opens nothing.
 ///
@@ -69,11 +67,6 @@ impl Gpu {
     #[must_use]
     pub fn adapter(&self) -> &AdapterSummary {
         &self.inner.adapter
-    }
-
-    /// `method` (a `Relax` or a `Dynamics`) computed here instead of on the processor.
-    pub fn with<S>(&self, method: S) -> OnGpu<S> {
-        OnGpu { gpu: self.clone(), method, dispatch: Dispatch::Auto }
     }
 
     pub(crate) fn device(&self) -> &wgpu::Device {

@@ -2,37 +2,38 @@
 
 use origami_core::solve::{Dynamics, Failed, Folded, Instance, Integrator, Progress, State, TimeStep, time_step};
 
-use crate::engine::{Dispatch, Engine, Purpose};
+use crate::engine::Engine;
 use crate::layout::Control;
+use crate::outcome::{backend, folded, progress};
+use crate::purpose::{Dispatch, Purpose};
 use crate::run::Beginning;
-use crate::solver::{Method, backend, folded, progress};
 use crate::variant::Scheme;
 
-impl Method for Dynamics {
-    fn purpose(&self, damped: bool, dispatch: Dispatch) -> Purpose {
-        let verlet = self.integrator == Integrator::Verlet;
-        Purpose { scheme: Scheme::Dynamics { verlet, damped }, safe: self.time_step == TimeStep::Safe, dispatch }
-    }
+/// What an engine for dynamics has to do. `damped`: whether some of the models have damping.
+pub(crate) fn purpose(dynamics: &Dynamics, damped: bool, dispatch: Dispatch) -> Purpose {
+    let verlet = dynamics.integrator == Integrator::Verlet;
+    Purpose { scheme: Scheme::Dynamics { verlet, damped }, safe: dynamics.time_step == TimeStep::Safe, dispatch }
+}
 
-    fn run(
-        &self,
-        engine: &mut Engine,
-        instances: &[Instance<'_>],
-        observe: &mut dyn FnMut(usize, Progress),
-    ) -> Vec<Result<Folded, Failed>> {
-        let beginnings: Vec<Beginning<'_>> = instances.iter().map(|i| beginning(self, i)).collect();
-        let mut report = |i: usize, control: &Control| observe(i, progress(control));
-        let endings = match engine.run(&beginnings, &mut report) {
-            Ok(endings) => endings,
-            Err(error) => return instances.iter().map(|i| Err(backend(error.clone(), &i.start, 0))).collect(),
-        };
-        let scheme = engine.variant.scheme;
-        let came_to = |(instance, ending): (&Instance<'_>, _)| {
-            let targets = instance.model.targets(instance.percent);
-            folded(instance.model, instance.percent, targets, self.steps.is_some(), ending, scheme)
-        };
-        instances.iter().zip(&endings).map(came_to).collect()
-    }
+/// Runs instances to their ends; results in their order.
+pub(crate) fn run(
+    dynamics: &Dynamics,
+    engine: &mut Engine,
+    instances: &[Instance<'_>],
+    observe: &mut dyn FnMut(usize, Progress),
+) -> Vec<Result<Folded, Failed>> {
+    let beginnings: Vec<Beginning<'_>> = instances.iter().map(|i| beginning(dynamics, i)).collect();
+    let mut report = |i: usize, control: &Control| observe(i, progress(control));
+    let endings = match engine.run(&beginnings, &mut report) {
+        Ok(endings) => endings,
+        Err(error) => return instances.iter().map(|i| Err(backend(error.clone(), &i.start, 0))).collect(),
+    };
+    let scheme = engine.variant.scheme;
+    let came_to = |(instance, ending): (&Instance<'_>, _)| {
+        let targets = instance.model.targets(instance.percent);
+        folded(instance.model, instance.percent, targets, dynamics.steps.is_some(), ending, scheme)
+    };
+    instances.iter().zip(&endings).map(came_to).collect()
 }
 
 /// Where an instance begins.

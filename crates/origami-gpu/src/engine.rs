@@ -10,26 +10,9 @@ use crate::kernels::{Binding, Kernel, triangle_forces, workgroup_dynamics, workg
 use crate::layout::{Before, Control, CreaseState, Node};
 use crate::pipeline::{Buffers, Pass};
 use crate::plan::{CHECK_INTERVAL, Plan};
+use crate::purpose::{Dispatch, Purpose, WORKGROUP_NODES};
 use crate::sheet_arrays::SheetArrays;
 use crate::variant::{Scheme, Variant};
-
-/// How the passes of a step reach the GPU.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dispatch {
-    /// As the size of the sheet suggests.
-    Auto,
-    /// Each pass over all elements, one dispatch after the other.
-    Passes,
-    /// One workgroup for each sheet, which takes many steps in one dispatch.
-    Workgroup,
-}
-
-/// Nodes up to which [`Dispatch::Auto`] gives a workgroup the whole sheet.
-///
-/// Measured on a software adapter only (llvmpipe, LLVM 15, two cores, over which it spreads passes but not one workgroup):
-/// one workgroup wins at 49 nodes and loses at 64, in both solvers (`cargo bench --features gpu --bench gpu_step --
-/// crossover`). Hardware may differ either way.
-pub const WORKGROUP_NODES: usize = 50;
 
 /// Loop iterations that one dispatch may take: software adapters end every loop at 65 535, silently.
 const MOST_ITERATIONS: usize = 50_000;
@@ -50,15 +33,6 @@ pub(crate) struct Engine {
     integration: Vec<Pass>,
     checkpoint: Vec<Pass>,
     workgroup: Option<Pass>,
-}
-
-/// What an engine is built for.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Purpose {
-    pub(crate) scheme: Scheme,
-    /// Whether dynamics renews its time step.
-    pub(crate) safe: bool,
-    pub(crate) dispatch: Dispatch,
 }
 
 impl Engine {

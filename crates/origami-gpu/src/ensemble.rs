@@ -4,14 +4,16 @@ use origami_core::model::Model;
 use origami_core::solve::{Failed, Folded, Instance, Progress};
 
 use crate::device::Gpu;
-use crate::engine::{Engine, Purpose, most_instances, uniform};
+use crate::engine::{Engine, most_instances, uniform};
+use crate::method::Method;
+use crate::outcome::backend;
+use crate::purpose::Purpose;
 use crate::sheet_arrays::{SheetArrays, same_springs};
-use crate::solver::{Method, backend};
 
 /// Runs all instances; results in their order.
-pub(crate) fn fold_all<S: Method>(
+pub(crate) fn fold_all(
     gpu: &Gpu,
-    method: &S,
+    method: Method<'_>,
     purpose: Purpose,
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) + Sync),
@@ -21,9 +23,9 @@ pub(crate) fn fold_all<S: Method>(
 }
 
 /// The same with at most as many instances in one run as `most` says of their arrays.
-fn in_runs<S: Method>(
+fn in_runs(
     gpu: &Gpu,
-    method: &S,
+    method: Method<'_>,
     purpose: Purpose,
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) + Sync),
@@ -80,7 +82,8 @@ mod tests {
     use origami_core::{Dynamics, Material, Relax, Solver, State};
 
     use super::*;
-    use crate::engine::Dispatch;
+    use crate::method::GpuMethod;
+    use crate::purpose::Dispatch;
     use crate::testing::gpu;
 
     fn bird() -> CreasePattern {
@@ -96,14 +99,14 @@ mod tests {
     }
 
     /// With a limit so small that an engine has to run several times, the last time with fewer.
-    fn same_in_runs<S: Method + Clone>(gpu: &Gpu, method: &S, dispatch: Dispatch) {
+    fn same_in_runs<S: GpuMethod + Clone>(gpu: &Gpu, method: &S, dispatch: Dispatch) {
         let model = Model::new(&bird(), &Material::default()).expect("a model");
         let instances: Vec<Instance<'_>> = (0..7).map(|i| instance(&model, 10.0 * f64::from(i))).collect();
-        let purpose = method.purpose(true, dispatch);
+        let purpose = method.method().purpose(dispatch, [&model].into_iter());
         let reported = std::sync::Mutex::new(vec![0; instances.len()]);
         let in_runs_of = |most: usize| {
             let reported = |i: usize, _| reported.lock().expect("no panic")[i] += 1;
-            states(in_runs(gpu, method, purpose, &instances, &reported, |_| most))
+            states(in_runs(gpu, method.method(), purpose, &instances, &reported, |_| most))
         };
         let at_once = in_runs_of(100);
         assert_eq!(in_runs_of(3), at_once);

@@ -1,6 +1,6 @@
 //! What can go wrong on a GPU.
 
-use crate::adapter::Lack;
+use crate::limits::Lack;
 
 /// Why the GPU cannot be used, or stopped.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -2,8 +2,9 @@
 
 use origami_core::model::{Built, Inventory, LeftOut, Model};
 
-use crate::engine::{Purpose, is_by_workgroup};
+use crate::engine::is_by_workgroup;
 use crate::plan::Plan;
+use crate::purpose::Purpose;
 use crate::sheet_arrays::SheetArrays;
 use crate::variant::Variant;
 

@@ -228,6 +228,20 @@ mod tests {
         same_layout!(&windows, Before { high, unused, low, unused_too, force, unused_as_well });
     }
 
+    /// Bytes of the control block as a text tells them.
+    fn documented_size(text: &str) -> Option<usize> {
+        let (_, after) = text.split_once("control block (")?;
+        after.split(' ').next()?.parse().ok()
+    }
+
+    #[test]
+    fn the_control_block_is_as_long_as_the_documents_say() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/GPU.md");
+        let text = std::fs::read_to_string(path).expect("it is there");
+        assert_eq!(documented_size(&text), Some(size_of::<Control>()));
+        assert_eq!(documented_size("reads the control block (128 bytes"), Some(128), "another size is seen");
+    }
+
     /// Constants that both sides write out.
     #[test]
     fn constants_are_those_of_the_shaders() {

@@ -3,70 +3,69 @@
 use origami_core::solve::relax::{Attempt, lower};
 use origami_core::solve::{Failed, Folded, Instance, Progress, Relax};
 
-use crate::engine::{Dispatch, Engine, Purpose};
+use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::layout::Control;
+use crate::outcome::{backend, folded, progress};
+use crate::purpose::{Dispatch, Purpose};
 use crate::run::Beginning;
-use crate::solver::{Method, backend, folded, progress};
 use crate::variant::Scheme;
 
-impl Method for Relax {
-    fn purpose(&self, _damped: bool, dispatch: Dispatch) -> Purpose {
-        Purpose { scheme: Scheme::Relax, safe: false, dispatch }
-    }
+/// What an engine for a relaxation has to do.
+pub(crate) fn purpose(dispatch: Dispatch) -> Purpose {
+    Purpose { scheme: Scheme::Relax, safe: false, dispatch }
+}
 
-    /// Runs instances until each has made all its attempts.
-    fn run(
-        &self,
-        engine: &mut Engine,
-        instances: &[Instance<'_>],
-        observe: &mut dyn FnMut(usize, Progress),
-    ) -> Vec<Result<Folded, Failed>> {
-        let relax = self;
-        let first = |i: &Instance<'_>| relax.first_attempt(i.model, &i.start, i.percent);
-        let mut active: Vec<(usize, Attempt)> = instances.iter().map(first).enumerate().collect();
-        let mut best_so_far: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
-        while !active.is_empty() {
-            let beginnings: Vec<Beginning<'_>> =
-                active.iter().map(|(i, attempt)| beginning(relax, &instances[*i], *attempt)).collect();
-            let so_far = |i: usize| match &best_so_far[i] {
-                Some(Ok(folded)) => folded.steps,
-                _ => 0,
-            };
-            let mut report = |slot: usize, control: &Control| {
-                let i = active[slot].0;
-                let own = progress(control);
-                observe(i, Progress { step: so_far(i) + own.step, ..own });
-            };
-            let endings = match engine.run(&beginnings, &mut report) {
-                Ok(endings) => endings,
-                Err(error) => {
-                    return gave_up(best_so_far, instances, &active, &error);
-                }
-            };
-            let mut next = Vec::new();
-            for ((i, attempt), ending) in active.into_iter().zip(&endings) {
-                let instance = &instances[i];
-                let targets = instance.model.targets(instance.percent);
-                let asked = relax.steps.is_some();
-                let came_to = folded(instance.model, instance.percent, targets, asked, ending, Scheme::Relax);
-                let best = match (best_so_far[i].take(), came_to) {
-                    (None, came_to) => came_to,
-                    // The state at hand is finite: another way that diverges does not take it away.
-                    (Some(Ok(one)), Ok(other)) => Ok(lower(instance.model, one, other, attempt.number)),
-                    (Some(one), _) => one,
-                };
-                if let Ok(folded) = &best
-                    && let Some(attempt) = relax.next_attempt(instance.model, &instance.start, attempt, folded)
-                {
-                    next.push((i, attempt));
-                }
-                best_so_far[i] = Some(best);
+/// Runs instances until each has made all its attempts.
+pub(crate) fn run(
+    relax: &Relax,
+    engine: &mut Engine,
+    instances: &[Instance<'_>],
+    observe: &mut dyn FnMut(usize, Progress),
+) -> Vec<Result<Folded, Failed>> {
+    let first = |i: &Instance<'_>| relax.first_attempt(i.model, &i.start, i.percent);
+    let mut active: Vec<(usize, Attempt)> = instances.iter().map(first).enumerate().collect();
+    let mut best_so_far: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
+    while !active.is_empty() {
+        let beginnings: Vec<Beginning<'_>> =
+            active.iter().map(|(i, attempt)| beginning(relax, &instances[*i], *attempt)).collect();
+        let so_far = |i: usize| match &best_so_far[i] {
+            Some(Ok(folded)) => folded.steps,
+            _ => 0,
+        };
+        let mut report = |slot: usize, control: &Control| {
+            let i = active[slot].0;
+            let own = progress(control);
+            observe(i, Progress { step: so_far(i) + own.step, ..own });
+        };
+        let endings = match engine.run(&beginnings, &mut report) {
+            Ok(endings) => endings,
+            Err(error) => {
+                return gave_up(best_so_far, instances, &active, &error);
             }
-            active = next;
+        };
+        let mut next = Vec::new();
+        for ((i, attempt), ending) in active.into_iter().zip(&endings) {
+            let instance = &instances[i];
+            let targets = instance.model.targets(instance.percent);
+            let asked = relax.steps.is_some();
+            let came_to = folded(instance.model, instance.percent, targets, asked, ending, Scheme::Relax);
+            let best = match (best_so_far[i].take(), came_to) {
+                (None, came_to) => came_to,
+                // The state at hand is finite: another way that diverges does not take it away.
+                (Some(Ok(one)), Ok(other)) => Ok(lower(instance.model, one, other, attempt.number)),
+                (Some(one), _) => one,
+            };
+            if let Ok(folded) = &best
+                && let Some(attempt) = relax.next_attempt(instance.model, &instance.start, attempt, folded)
+            {
+                next.push((i, attempt));
+            }
+            best_so_far[i] = Some(best);
         }
-        best_so_far.into_iter().flatten().collect()
+        active = next;
     }
+    best_so_far.into_iter().flatten().collect()
 }
 
 /// Where an attempt begins.

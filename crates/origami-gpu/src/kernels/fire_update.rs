@@ -119,7 +119,7 @@ mod tests {
         let bench = bench(&gpu);
         write_sums(&bench, [1.0, 1.0, 1.0]);
         bench.change_control(|c| {
-            (c.ramp_step, c.ramp_length, c.held, c.distance_squared_max, c.move_squared_max) = (1, 3, 1, 7, 7)
+            (c.ramp_step, c.ramp_length, c.held, c.distance_squared_max, c.move_squared_max) = (1, 3, 1, 7, 7);
         });
         let mut steps = Vec::new();
         for _ in 0..4 {

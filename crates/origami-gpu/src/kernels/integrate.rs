@@ -127,7 +127,7 @@ mod tests {
         let bench = Bench::new(&gpu, &held(&cases()[3]), EULER);
         let before = bench.control();
         bench.change_control(|c| {
-            (c.ramp_step, c.ramp_length, c.distance_squared_max, c.move_squared_max) = (1, 2, 9, 9)
+            (c.ramp_step, c.ramp_length, c.distance_squared_max, c.move_squared_max) = (1, 2, 9, 9);
         });
         bench.run(&[&triangle_forces::KERNEL], false);
         assert_eq!(bench.control().step, 0, "forces alone take no time");

@@ -1,16 +1,11 @@
-//! The five passes as kernels.
+//! A pass as a kernel.
 
 use origami_core::model::DEGENERATE;
 use origami_core::solve::guard::{FARTHEST, LONGEST_MOVE};
 use origami_shaders::{ANGLE, paper::SHEET};
 
 use super::layout::Slot;
-use super::{coefficients, fold_angles, forces, normals, positions};
 use crate::Gpu;
-
-/// In the order in which they run.
-pub(crate) const PASSES: [&Kernel; 5] =
-    [&normals::KERNEL, &fold_angles::KERNEL, &coefficients::KERNEL, &forces::KERNEL, &positions::KERNEL];
 
 /// Invocations in a workgroup.
 pub(super) const WORKGROUP: u32 = 64;

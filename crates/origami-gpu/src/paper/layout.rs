@@ -168,7 +168,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::paper::kernel::PASSES;
+    use crate::paper::passes::PASSES;
     use crate::shader_checks::{bindings, checked, read_only, same_layout};
 
     #[test]

@@ -10,6 +10,7 @@ mod kernel;
 mod layout;
 mod lists;
 mod normals;
+mod passes;
 mod positions;
 mod sheet;
 #[cfg(test)]
@@ -18,4 +19,4 @@ mod traffic;
 
 pub use dynamics::PaperDynamics;
 #[cfg(test)]
-pub(crate) use kernel::PASSES as PAPER_PASSES;
+pub(crate) use passes::PASSES as PAPER_PASSES;

@@ -5,9 +5,10 @@ use glam::{DVec3, Vec3};
 use origami_core::State;
 use origami_core::model::Model;
 
-use super::kernel::{Each, Kernel, PASSES, Pass, WORKGROUP};
+use super::kernel::{Each, Kernel, Pass, WORKGROUP};
 use super::layout::{Motion, NONE, Settings, Slot, Spring, Status};
 use super::lists::Lists;
+use super::passes::PASSES;
 use crate::mapped::Reading;
 use crate::{Gpu, GpuError};
 

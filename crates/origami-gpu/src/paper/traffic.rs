@@ -2,9 +2,10 @@
 
 use origami_core::Model;
 
-use super::kernel::{Kernel, PASSES};
+use super::kernel::Kernel;
 use super::layout::Slot;
 use super::lists::Lists;
+use super::passes::PASSES;
 use crate::traffic::{BufferSize, PassTraffic, Traffic};
 
 impl Traffic {

@@ -1,0 +1,30 @@
+//! What an engine is built for.
+
+use crate::variant::Scheme;
+
+/// How the passes of a step reach the GPU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dispatch {
+    /// As the size of the sheet suggests.
+    Auto,
+    /// Each pass over all elements, one dispatch after the other.
+    Passes,
+    /// One workgroup for each sheet, which takes many steps in one dispatch.
+    Workgroup,
+}
+
+/// Nodes up to which [`Dispatch::Auto`] gives a workgroup the whole sheet.
+///
+/// Measured on a software adapter only (llvmpipe, LLVM 15, two cores, over which it spreads passes but not one workgroup):
+/// one workgroup wins at 49 nodes and loses at 64, in both solvers (`cargo bench --features gpu --bench gpu_step --
+/// crossover`). Hardware may differ either way.
+pub const WORKGROUP_NODES: usize = 50;
+
+/// What an engine is built for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Purpose {
+    pub(crate) scheme: Scheme,
+    /// Whether dynamics renews its time step.
+    pub(crate) safe: bool,
+    pub(crate) dispatch: Dispatch,
+}

@@ -10,13 +10,14 @@ const SHADERS: &str = "shaders/src";
 const STUDY: &str = "crates/origami-study/src";
 
 /// Each module of the core, and those that it may use.
-const MAY_USE: [(&str, &[&str]); 12] = [
+const MAY_USE: [(&str, &[&str]); 13] = [
+    ("csr", &[]),
     ("error", &[]),
     ("ids", &[]),
     ("fold", &["error"]),
-    ("pattern", &["error", "fold", "ids"]),
+    ("pattern", &["csr", "error", "fold", "ids"]),
     ("generate", &["error", "ids", "pattern"]),
-    ("mesh", &["error", "ids", "pattern"]),
+    ("mesh", &["csr", "error", "ids", "pattern"]),
     ("model", &["error", "ids", "mesh", "pattern"]),
     ("forces", &["ids", "model"]),
     ("kernel", &["forces", "ids", "model"]),

@@ -4,6 +4,7 @@
 //! [`solve`] → [`measure`] → [`export`]. [`generate`] makes patterns without a file.
 #![forbid(unsafe_code)]
 
+pub mod csr;
 pub mod error;
 pub mod export;
 pub mod fold;

@@ -18,7 +18,7 @@ pub fn closures(model: &Model, positions: &[DVec3]) -> Vec<(NodeId, f64)> {
 
 /// Fold angles at the sides around an interior node, each with the sector after it, counterclockwise.
 fn around(model: &Model, positions: &[DVec3], node: usize) -> Option<Vec<(f64, f64)>> {
-    let sides = model.mesh.sides_of_node.of(node);
+    let sides = model.mesh.sides_of_node.row(node);
     // Each neighbour with the one after it.
     let mut next: Vec<(usize, usize, f64)> = Vec::with_capacity(sides.len());
     for side in sides.iter().map(|side| &model.mesh.sides[side.index()]) {

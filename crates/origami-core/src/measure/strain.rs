@@ -31,7 +31,7 @@ impl Strain {
 pub fn node_strains(model: &Model, positions: &[DVec3]) -> Vec<f64> {
     let strains: Vec<f64> = beams::strains(model, positions).map(f64::abs).collect();
     let of_node = |n: usize| {
-        let sides = model.mesh.sides_of_node.of(n);
+        let sides = model.mesh.sides_of_node.row(n);
         sides.iter().map(|s| strains[s.index()]).sum::<f64>() / sides.len().max(1) as f64
     };
     (0..model.node_count()).map(of_node).collect()

@@ -2,14 +2,13 @@
 //!
 //! The geometry that a triangulation needs stays in `triangulate`; everything below it is integers.
 
-mod csr;
 mod order;
 mod sides;
 pub mod triangulate;
 
-pub use csr::Csr;
 pub use sides::Side;
 
+use crate::csr::Csr;
 use crate::error::Error;
 use crate::ids::{EdgeId, FaceId, NodeId, SideId, TriangleId, VertexId};
 use crate::pattern::CreasePattern;
@@ -118,7 +117,7 @@ fn number_nodes(pattern: &CreasePattern, triangles: &[[VertexId; 3]]) -> (Vec<Ve
     number(&mut node_of_vertex, &vertex_of_node);
     let nodes = vertex_of_node.len();
     if order::is_scattered(nodes, neighbours(pattern, triangles, &node_of_vertex)) {
-        let neighbours = Csr::new(nodes, neighbours(pattern, triangles, &node_of_vertex));
+        let neighbours = Csr::from_entries(nodes, neighbours(pattern, triangles, &node_of_vertex));
         let order = order::reverse_cuthill_mckee(&neighbours);
         vertex_of_node = order.iter().map(|n| vertex_of_node[n.index()]).collect();
         number(&mut node_of_vertex, &vertex_of_node);
@@ -196,8 +195,8 @@ mod tests {
         assert_eq!(diagonal.nodes, [NodeId(2), NodeId(0)]);
         assert_eq!(diagonal.triangles, [Some(TriangleId(0)), Some(TriangleId(1))]);
         assert_eq!(diagonal.apexes, [Some(NodeId(1)), Some(NodeId(3))]);
-        assert_eq!(mesh.sides_of_node.of(0).len(), 3);
-        assert_eq!(mesh.triangles_of_node.of(3), &[TriangleId(1)]);
+        assert_eq!(mesh.sides_of_node.row(0).len(), 3);
+        assert_eq!(mesh.triangles_of_node.row(3), &[TriangleId(1)]);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::letters::Letter;
 use super::notes::Notes;
-use super::table::Table;
+use crate::csr::Csr;
 
 /// A pattern in the making.
 #[derive(Debug)]
@@ -85,20 +85,20 @@ impl DraftEdge {
 
 /// The live edge between two vertices: rows by the lower vertex, sorted by the upper one.
 #[derive(Debug)]
-pub(super) struct EdgeMap(Table<(u32, u32)>);
+pub(super) struct EdgeMap(Csr<(u32, u32)>);
 
 impl EdgeMap {
     /// That of `edges`, numbered from 0; of those with the same ends the first counts.
     pub(super) fn new(vertices: usize, edges: &[DraftEdge]) -> Self {
         let ends = edges.iter().zip(0..).filter(|(edge, _)| edge.alias.is_none());
-        let mut rows = Table::new(
+        let mut rows = Csr::from_entries(
             vertices,
             ends.map(|(edge, index)| {
                 let [a, b] = edge.ends;
-                (a.min(b), (a.max(b), index))
+                (a.min(b) as usize, (a.max(b), index))
             }),
         );
-        rows.each_row(<[(u32, u32)]>::sort_unstable);
+        (0..vertices).for_each(|vertex| rows.row_mut(vertex).sort_unstable());
         Self(rows)
     }
 

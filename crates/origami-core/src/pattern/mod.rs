@@ -27,7 +27,6 @@ mod read;
 pub(crate) mod region;
 mod rings;
 mod sides;
-mod table;
 
 pub use dihedral::fold_angle;
 

@@ -4,7 +4,7 @@ use super::draft::Draft;
 use super::letters::Letter;
 use super::plane::area_vector;
 use super::sides::Sides;
-use super::table::Table;
+use crate::csr::Csr;
 use crate::error::Error;
 
 /// How another face lies at a side of this one.
@@ -29,9 +29,9 @@ pub(super) fn orient(draft: &mut Draft, sides: &Sides) -> Result<bool, Error> {
         return Ok(false);
     }
     let both = meetings.flat_map(|(a, b, edge, disagrees)| {
-        [(a, Neighbour { face: b, edge, disagrees }), (b, Neighbour { face: a, edge, disagrees })]
+        [(a as usize, Neighbour { face: b, edge, disagrees }), (b as usize, Neighbour { face: a, edge, disagrees })]
     });
-    let neighbours = Table::new(draft.faces.len(), both);
+    let neighbours = Csr::from_entries(draft.faces.len(), both);
     let mut turned: Vec<Option<bool>> = vec![None; draft.faces.len()];
     for seed in 0..draft.faces.len() {
         if turned[seed].is_none() {
@@ -65,7 +65,7 @@ pub(super) fn note_clockwise(draft: &mut Draft) {
 /// Marks every face that hangs together with `seed` as agreeing with it or as turned; gives their list.
 fn walk(
     draft: &Draft,
-    neighbours: &Table<Neighbour>,
+    neighbours: &Csr<Neighbour>,
     turned: &mut [Option<bool>],
     seed: usize,
 ) -> Result<Vec<u32>, Error> {

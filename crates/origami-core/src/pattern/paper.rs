@@ -5,7 +5,7 @@ use super::letters::Letter;
 use super::loops::{OUTSIDE, Regions, regions};
 use super::region;
 use super::sides::{self, Sides};
-use super::table::Table;
+use crate::csr::Csr;
 use crate::error::Error;
 
 /// Builds the faces of a flat draft whose edges meet at their ends only. `was` says what became of the file's own.
@@ -52,9 +52,9 @@ fn paper(draft: &Draft, regions: &Regions) -> Vec<bool> {
     let crossings = lines.flat_map(|(index, edge)| {
         let [a, b] = [regions.left_of[2 * index], regions.left_of[2 * index + 1]];
         let boundary = edge.letter == Some(Letter::Boundary);
-        [(a, (b, boundary)), (b, (a, boundary))]
+        [(a as usize, (b, boundary)), (b as usize, (a, boundary))]
     });
-    let neighbours = Table::new(regions.loops.len(), crossings);
+    let neighbours = Csr::from_entries(regions.loops.len(), crossings);
     let mut paper: Vec<Option<bool>> = vec![None; regions.loops.len()];
     paper[OUTSIDE as usize] = Some(false);
     flood(&neighbours, &mut paper, vec![OUTSIDE]);
@@ -77,7 +77,7 @@ fn paper(draft: &Draft, regions: &Regions) -> Vec<bool> {
 
 /// Spreads from regions of one kind, all that can be reached without crossing a boundary edge before any beyond one.
 /// Outside, only boundary edges are crossed.
-fn flood(neighbours: &Table<(u32, bool)>, paper: &mut [Option<bool>], mut layer: Vec<u32>) {
+fn flood(neighbours: &Csr<(u32, bool)>, paper: &mut [Option<bool>], mut layer: Vec<u32>) {
     while !layer.is_empty() {
         let mut beyond = Vec::new();
         let mut at = 0;

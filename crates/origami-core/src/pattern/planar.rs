@@ -8,7 +8,7 @@ use super::notes::Notes;
 use super::paper::no_paper;
 use super::places::Places;
 use super::plane::{extent, orient};
-use super::table::Table;
+use crate::csr::Csr;
 use crate::error::Error;
 
 /// What is nearer than this, in sizes of the pattern, touches. Files with six digits are off by as much.
@@ -249,7 +249,7 @@ fn different(pieces: &[Piece]) -> (Vec<Piece>, Vec<u32>) {
 
 /// The pieces that remain when each is cut where its line is split, in order along its edge.
 fn cut_at(pieces: &[Piece], lines: &[Piece], line_of: &[u32], splits: &[Split]) -> Result<Vec<Piece>, Error> {
-    let of_line = Table::new(lines.len(), splits.iter().map(|split| (split.piece, split.vertex)));
+    let of_line = Csr::from_entries(lines.len(), splits.iter().map(|split| (split.piece as usize, split.vertex)));
     let count = line_of.iter().map(|&line| 1 + of_line.row(line as usize).len()).sum();
     if count > MOST_PIECES {
         return Err(crowded());

@@ -2,9 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::csr::Csr;
 use glam::DVec2;
-
-use super::table::Table;
 
 pub(super) const NONE: u32 = u32::MAX;
 
@@ -14,7 +13,7 @@ pub(super) struct Rings {
     /// The vertex that each half leaves; none of lines that are left out.
     pub(super) origin: Vec<u32>,
     /// Halves that leave each vertex, counterclockwise from direction -pi.
-    around: Table<u32>,
+    around: Csr<u32>,
     /// The place of each half in its row of `around`.
     rank: Vec<u32>,
     direction: Vec<f64>,
@@ -33,12 +32,13 @@ impl Rings {
             direction[2 * line + 1] = (a - b).to_angle();
         }
         let live = origin.iter().enumerate().filter(|(_, from)| **from != NONE);
-        let mut around = Table::new(points.len(), live.map(|(half, &from)| (from, half as u32)));
+        let mut around = Csr::from_entries(points.len(), live.map(|(half, &from)| (from as usize, half as u32)));
         let mut rank = vec![0; origin.len()];
-        around.each_row(|row| {
+        for vertex in 0..points.len() {
+            let row = around.row_mut(vertex);
             row.sort_by(|&a, &b| direction[a as usize].total_cmp(&direction[b as usize]));
             row.iter().enumerate().for_each(|(place, &half)| rank[half as usize] = place as u32);
-        });
+        }
         Self { origin, around, rank, direction }
     }
 

@@ -10,19 +10,20 @@ const SHADERS: &str = "shaders/src";
 const STUDY: &str = "crates/origami-study/src";
 
 /// Each module of the core, and those that it may use.
-const MAY_USE: [(&str, &[&str]); 13] = [
+const MAY_USE: [(&str, &[&str]); 14] = [
     ("csr", &[]),
     ("error", &[]),
     ("ids", &[]),
     ("fold", &["error"]),
     ("pattern", &["csr", "error", "fold", "ids"]),
-    ("generate", &["error", "ids", "pattern"]),
+    ("rigid", &[]),
+    ("generate", &["error", "ids", "pattern", "rigid"]),
     ("mesh", &["csr", "error", "ids", "pattern"]),
     ("model", &["error", "ids", "mesh", "pattern"]),
     ("forces", &["ids", "model"]),
     ("kernel", &["forces", "ids", "model"]),
     ("solve", &["error", "forces", "ids", "kernel", "model"]),
-    ("measure", &["error", "forces", "generate", "ids", "mesh", "model", "pattern", "solve"]),
+    ("measure", &["error", "forces", "ids", "mesh", "model", "pattern", "rigid", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "solve"]),
 ];
 

@@ -16,6 +16,7 @@ pub mod measure;
 pub mod mesh;
 pub mod model;
 pub mod pattern;
+pub mod rigid;
 pub mod solve;
 
 pub use error::{Error, Warning};

@@ -1,13 +1,13 @@
 //! The generators by name, with named numbers as parameters: lengths in any unit, angles in degrees, yes as 1 and no
 //! as 0.
 
-use super::closed_form::Degree4Mode;
 use super::{
     BirdBase, Crane, CurvedPleat, Degree4, Fan, Hypar, Kresling, Miura, SingleCrease, SquareTwist, Strip, Waterbomb,
     WaterbombVertex, Yoshimura,
 };
 use crate::error::Error;
 use crate::pattern::CreasePattern;
+use crate::rigid::Degree4Mode;
 
 /// A number that a generator takes.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,9 +5,10 @@ use std::f64::consts::PI;
 
 use glam::{DAffine2, DMat2, DVec2, DVec3};
 
-use super::closed_form::{fold_angle, loop_closure};
 use crate::ids::VertexId;
+use crate::pattern::fold_angle;
 use crate::pattern::{Assignment, CreasePattern};
+use crate::rigid::loop_closure;
 
 /// Faces to the left of each directed edge.
 fn half_edges(pattern: &CreasePattern) -> HashMap<[VertexId; 2], usize> {

@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::builder::{at_least, between, positive, room};
-use super::closed_form::KreslingFold;
 use super::rolled::Lattice;
 use crate::error::Error;
 use crate::pattern::CreasePattern;
+use crate::rigid::KreslingFold;
 
 /// Storeys of equal triangles between n-gons, each turned against the one below.
 #[derive(Clone, Copy, Debug, PartialEq)]

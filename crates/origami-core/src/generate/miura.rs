@@ -3,10 +3,10 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::builder::{Sheet, at_least, between, positive, room};
-use super::closed_form::MiuraFold;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
+use crate::rigid::MiuraFold;
 
 /// A sheet of parallelograms in zigzag columns: vertex `j * (columns + 1) + i` is vertex i of zigzag crease j.
 #[derive(Clone, Copy, Debug, PartialEq)]

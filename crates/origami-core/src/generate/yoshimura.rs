@@ -5,10 +5,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::DVec3;
 
 use super::builder::{at_least, between, positive, room};
-use super::closed_form::YoshimuraFold;
 use super::rolled::Lattice;
 use crate::error::Error;
 use crate::pattern::CreasePattern;
+use crate::rigid::YoshimuraFold;
 
 /// Lines of equal isosceles triangles, each shifted by half a triangle; where two lines meet, triangles are diamonds.
 #[derive(Clone, Copy, Debug, PartialEq)]

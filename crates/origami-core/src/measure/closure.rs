@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use crate::generate::closed_form::loop_closure;
 use crate::ids::NodeId;
 use crate::model::Model;
 use crate::pattern::fold_angle;
+use crate::rigid::loop_closure;
 
 /// How far each interior node is from closing with the sectors that it has at rest: 0 where the facets around it are as they
 /// were cut, and more where they had to stretch or bend ([`loop_closure`] has the formula). By node, those in the interior

@@ -12,8 +12,8 @@ const STUDY: &str = "crates/origami-study/src";
 /// Each module of the core, and those that it may use.
 const MAY_USE: [(&str, &[&str]); 14] = [
     ("csr", &[]),
-    ("error", &[]),
     ("ids", &[]),
+    ("error", &["ids"]),
     ("fold", &["error"]),
     ("pattern", &["csr", "error", "fold", "ids"]),
     ("rigid", &[]),

@@ -1,5 +1,6 @@
 //! What is said of scenes that go wrong, and that nothing is said of those that do not.
 
+use origami_core::error::Place;
 use origami_core::generate::catalog;
 use origami_core::measure::{dangers, frustration, single_precision};
 use origami_core::solve::DEFAULT_TOLERANCE;
@@ -27,7 +28,10 @@ fn those_that_cannot_have_their_angles_are_named_at_100_percent_alone() {
         let folded = |percent| Relax::default().fold_from_rest(&model, percent).expect(name);
         assert_eq!(frustration(&model, &folded(60.0)), None, "{name}: no share of all angles is a rigid path");
         if let Some(warning) = frustration(&model, &folded(100.0)) {
-            assert!(warning.place.ends_with("100 %") && warning.message.contains("strained, "), "{warning}");
+            assert!(
+                warning.place == Place::Sheet { percent: Some(100.0) } && warning.message.contains("strained, "),
+                "{warning}"
+            );
             frustrated.push(*name);
         }
     }

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::Template;
 use super::sheet::{coordinates, number, set_angles, set_topology};
-use crate::error::Error;
+use crate::error::{Error, ErrorCode};
 use crate::fold::{Coordinates, Document, Frame};
 use crate::measure::edge_fold_angles;
 use crate::model::Model;
@@ -156,7 +156,8 @@ fn check(pattern: &CreasePattern, stage: &Stage) -> Result<(), Error> {
     for (what, count, of, expected) in counts {
         if count != expected {
             let problem = format!("{count} {what} for {expected} {of}");
-            return Err(Error::invalid(format!("stage at {} %", stage.percent), problem, "as many as the pattern has"));
+            let place = format!("stage at {} %", stage.percent);
+            return Err(Error::new(ErrorCode::WrongLength, place, problem, "as many as the pattern has"));
         }
     }
     Ok(())

@@ -5,7 +5,8 @@ use std::io::{self, BufWriter, Write};
 use glam::DVec3;
 
 use super::{CREATOR, unwritable};
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place};
+use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
 
 /// Writes `positions`, one for each vertex of the pattern, as a Wavefront OBJ file.
@@ -19,10 +20,11 @@ use crate::pattern::CreasePattern;
 pub fn write_obj(writer: impl Write, pattern: &CreasePattern, positions: &[DVec3]) -> Result<(), Error> {
     if positions.len() != pattern.vertices.len() {
         let problem = format!("{} positions for {} vertices", positions.len(), pattern.vertices.len());
-        return Err(Error::invalid("OBJ", problem, "as many as the pattern has"));
+        return Err(Error::new(ErrorCode::WrongLength, "OBJ", problem, "as many as the pattern has"));
     }
     if let Some(vertex) = positions.iter().position(|position| !position.is_finite()) {
-        return Err(Error::invalid(format!("vertex {vertex}"), positions[vertex].to_string(), "a finite position"));
+        let place = Place::Vertices(vec![VertexId::new(vertex)]);
+        return Err(Error::new(ErrorCode::NotFinite, place, positions[vertex].to_string(), "a finite position"));
     }
     write(BufWriter::new(writer), pattern, positions).map_err(unwritable)
 }

@@ -157,6 +157,7 @@ fn sorted(given: &[[NodeId; 3]]) -> (Vec<[NodeId; 3]>, Vec<TriangleId>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Place;
     use crate::pattern::{Assignment, PatternEdge};
 
     fn edge(a: u32, b: u32) -> PatternEdge {
@@ -203,7 +204,8 @@ mod tests {
     fn a_third_triangle_and_a_wrong_turn_are_refused() {
         let triangles = [[0, 1, 2], [0, 2, 5], [0, 2, 3]].map(|t| t.map(VertexId));
         let error = Mesh::new(&square(), &triangles, vec![FaceId(0); 3]).expect_err("three at one side");
-        assert!(error.to_string().contains("vertices 0 and 2"), "{error}");
+        assert!(error.to_string().contains("vertices 0, 2"), "{error}");
+        assert_eq!(error.place(), Place::Vertices(vec![VertexId(0), VertexId(2)]));
         let triangles = [[0, 1, 2], [2, 0, 5]].map(|t| t.map(VertexId));
         assert!(Mesh::new(&square(), &triangles, vec![FaceId(0); 2]).is_err(), "both run from 2 to 0");
     }

@@ -1,6 +1,6 @@
 //! Sides of a triangulation, found by sorting rather than hashing.
 
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place};
 use crate::ids::{EdgeId, NodeId, SideId, TriangleId, VertexId};
 
 /// A side of the triangulation: a beam, and a crease where two triangles meet.
@@ -49,27 +49,28 @@ pub(super) fn build(
         if let Mention::Edge(e) = group[0].1 {
             side_of_edge[e as usize] = SideId::new(i);
         }
-        side(group, triangles, edges).map_err(|problem| {
-            let [a, b] = group[0].0.map(|n| vertex_of_node[n.index()].0);
-            Error::invalid(format!("the side between vertices {a} and {b}"), problem.0, problem.1)
+        side(group, triangles, edges).map_err(|(code, problem, expected)| {
+            let ends = group[0].0.map(|n| vertex_of_node[n.index()]);
+            Error::new(code, Place::Vertices(ends.to_vec()), problem, expected)
         })
     });
     let sides = sides.collect::<Result<_, _>>()?;
     Ok((sides, side_of_edge))
 }
 
-/// The side that `group` mentions; an error is the problem and what was expected.
+/// The side that `group` mentions; an error is its kind, the problem and what was expected.
 fn side(
     group: &[([NodeId; 2], Mention)],
     triangles: &[[NodeId; 3]],
     edges: &[(EdgeId, [NodeId; 2])],
-) -> Result<Side, (&'static str, &'static str)> {
+) -> Result<Side, (ErrorCode, &'static str, &'static str)> {
     let ends = group[0].0;
     let mut side = Side { nodes: ends, triangles: [None; 2], apexes: [None; 2], edge: None };
     for (_, mention) in group {
         match *mention {
             Mention::Edge(_) if side.edge.is_some() => {
-                return Err(("two edges lie there", "one edge, the other its alias"));
+                let problem = "two edges lie between them";
+                return Err((ErrorCode::EdgeTwice, problem, "one edge, the other its alias"));
             }
             Mention::Edge(e) => {
                 side.edge = Some(edges[e as usize].0);
@@ -83,7 +84,8 @@ fn side(
                     side.nodes = ends;
                 } else if side.triangles[1].is_some() || side.nodes == ends {
                     return Err((
-                        "more than two triangles meet there, or two lie on the same side of it",
+                        ErrorCode::EdgeOfManyFaces,
+                        "more than two triangles meet at the line between them, or two lie on the same side of it",
                         "at most one triangle on each side",
                     ));
                 }

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 
 use glam::{DVec2, DVec3};
 
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place};
 use crate::ids::{FaceId, VertexId};
 use crate::pattern::CreasePattern;
 use crate::pattern::places::Places;
@@ -37,19 +37,22 @@ const SMALLEST: f64 = 1e-14;
 pub fn triangulate(pattern: &CreasePattern) -> Result<Triangulation, Error> {
     let size = pattern.size();
     if !(size > 0.0 && size.is_finite()) {
-        return Err(Error::invalid("vertices_coords", format!("the pattern is {size} in size"), "a positive size"));
+        let (place, problem) = (Place::key("vertices_coords"), format!("the pattern is {size} in size"));
+        return Err(Error::new(ErrorCode::SheetSize, place, problem, "a positive size"));
     }
     let flat = pattern.is_flat();
     let scale = unit_scale(size);
     let points: Vec<DVec3> = pattern.vertices.iter().map(|&vertex| vertex * scale).collect();
     let mut result = Triangulation::default();
     for (index, face) in pattern.faces.iter().enumerate() {
-        let refuse =
-            |problem: String, expected: &str| Error::invalid(format!("faces_vertices[{index}]"), problem, expected);
-        let broken = |fault: Fault| refuse(format!("the face {fault}"), "a simple polygon");
+        let refuse = |code, problem: String, expected: &str| {
+            Error::new(code, Place::entry("faces_vertices", index), problem, expected)
+        };
+        let broken = |fault: Fault| refuse(ErrorCode::FaceNotSimple, format!("the face {fault}"), "a simple polygon");
         let place = |vertex: &VertexId| points.get(vertex.index()).copied();
         let corners: Option<Vec<DVec3>> = face.iter().map(place).collect();
-        let corners = corners.ok_or_else(|| refuse("names a vertex that does not exist".into(), "vertices"))?;
+        let missing = || refuse(ErrorCode::NoSuchVertex, "names a vertex that does not exist".into(), "vertices");
+        let corners = corners.ok_or_else(missing)?;
         let triangles = match corners.as_slice() {
             [_, _, _] => vec![[0, 1, 2]],
             [a, b, c, d] => quadrilateral([*a, *b, *c, *d], flat).map_err(broken)?.into(),
@@ -60,7 +63,10 @@ pub fn triangulate(pattern: &CreasePattern) -> Result<Triangulation, Error> {
                 }
                 triangles
             }
-            _ => return Err(refuse(format!("has {} corners", corners.len()), "three or more")),
+            _ => {
+                let problem = format!("has {} corners", corners.len());
+                return Err(refuse(ErrorCode::FaceOfFewCorners, problem, "three or more"));
+            }
         };
         result.face_of.extend(std::iter::repeat_n(FaceId::new(index), triangles.len()));
         result.triangles.extend(triangles.into_iter().map(|corners| corners.map(|corner| face[corner])));

@@ -8,7 +8,7 @@ use super::letters::Letter;
 use super::notes::Notes;
 use super::plane::area_vector;
 use super::sides::{Side, Sides};
-use crate::error::Short;
+use crate::error::{Short, WarningCode};
 
 /// Angles nearer to 0, or to half a turn, than this (radians) are taken as flat, or as folded over.
 const NEARLY: f64 = 1e-6;
@@ -41,8 +41,9 @@ pub(super) fn settle(draft: &mut Draft, sides: &Sides, keys: Keys) {
 
 /// Warns of missing keys, and says where their values are taken from. `idle`: there is no mountain and no valley.
 fn note_missing(notes: &mut Notes, keys: Keys, idle: bool, measured: bool) {
-    let (letters, angles) = ("edges_assignment", "edges_foldAngle");
-    let (key, message) = match (keys.letters, keys.angles) {
+    let letters = (WarningCode::MissingLetters, "edges_assignment");
+    let angles = (WarningCode::MissingAngles, "edges_foldAngle");
+    let ((code, key), message) = match (keys.letters, keys.angles) {
         (false, false) if measured && !idle => {
             (letters, "is missing, and so is edges_foldAngle; both are measured from the coordinates")
         }
@@ -52,7 +53,7 @@ fn note_missing(notes: &mut Notes, keys: Keys, idle: bool, measured: bool) {
         (true, false) if !idle => (angles, "is missing; M and V fold by -180 and 180 degrees"),
         _ => return,
     };
-    notes.add_once(key, message.into());
+    notes.add_once(code, key, message);
 }
 
 /// An edge of no face.
@@ -60,7 +61,7 @@ fn outside(edge: &mut DraftEdge, notes: &mut Notes) {
     if matches!(edge.letter, None | Some(Letter::Cut)) {
         edge.letter = Some(Letter::Boundary);
     }
-    notes.add_with("belongs to no face; it is kept and does not fold", || {
+    notes.add_with(WarningCode::EdgeOutside, "belongs to no face; it is kept and does not fold", || {
         (edge.origin.place("edges_vertices"), String::new())
     });
 }
@@ -69,7 +70,9 @@ fn outside(edge: &mut DraftEdge, notes: &mut Notes) {
 fn contour(edge: &mut DraftEdge, notes: &mut Notes) {
     let was = edge.letter.filter(|letter| !matches!(letter, Letter::Boundary | Letter::Cut));
     if let (Some(letter), Origin::File(_)) = (was, edge.origin) {
-        notes.add_with("on the contour, taken as B", || (edge.origin.place("edges_assignment"), letter.name().into()));
+        let place = || edge.origin.place("edges_assignment");
+        let first = || (place(), letter.name().into());
+        notes.add_with(WarningCode::LetterOnContour, "on the contour, taken as B", first);
     } else {
         note_useless_angle(edge, notes);
     }
@@ -82,7 +85,8 @@ fn note_useless_angle(edge: &DraftEdge, notes: &mut Notes) {
         && degrees != 0.0
     {
         let place = || edge.origin.place("edges_foldAngle");
-        notes.add_with("degrees on a boundary or cut; ignored", || (place(), Short(degrees).to_string()));
+        let message = "degrees on a boundary or cut; ignored";
+        notes.add_with(WarningCode::AngleOnBoundary, message, || (place(), Short(degrees).to_string()));
     }
 }
 
@@ -90,7 +94,7 @@ fn note_useless_angle(edge: &DraftEdge, notes: &mut Notes) {
 fn hinge(edge: &mut DraftEdge, measured: Option<f64>, notes: &mut Notes) {
     let place = || edge.origin.place("edges_assignment");
     if edge.letter == Some(Letter::Boundary) {
-        notes.add_with("between two faces, taken as U", || (place(), "B".into()));
+        notes.add_with(WarningCode::BoundaryInside, "between two faces, taken as U", || (place(), "B".into()));
         edge.letter = Some(Letter::Unassigned);
     }
     if edge.letter == Some(Letter::Cut) {
@@ -100,20 +104,23 @@ fn hinge(edge: &mut DraftEdge, measured: Option<f64>, notes: &mut Notes) {
         (GivenAngle::Free, letter) => {
             if let Some(letter) = letter.filter(|letter| letter.drives()) {
                 let place = || edge.origin.place("edges_foldAngle");
-                notes.add_with("with null: a free crease, which nothing drives", || (place(), letter.name().into()));
+                let message = "with null: a free crease, which nothing drives";
+                notes.add_with(WarningCode::NullAngle, message, || (place(), letter.name().into()));
             }
             None
         }
         (GivenAngle::Degrees(degrees), Some(Letter::Unassigned)) => {
             if degrees != 0.0 {
-                notes.add_with("has a fold angle; unassigned, so nothing drives it", || (place(), "U".into()));
+                let message = "has a fold angle; unassigned, so nothing drives it";
+                notes.add_with(WarningCode::AngleOnUnassigned, message, || (place(), "U".into()));
             }
             None
         }
         (GivenAngle::Degrees(degrees), _) => {
             if degrees.abs() > 180.0 + NEARLY {
                 let place = edge.origin.place("edges_foldAngle");
-                notes.add_with("degrees is past flat folded; kept", || (place, Short(degrees).to_string()));
+                let message = "degrees is past flat folded; kept";
+                notes.add_with(WarningCode::AnglePastFlat, message, || (place, Short(degrees).to_string()));
             }
             Some(degrees.to_radians())
         }
@@ -124,7 +131,7 @@ fn hinge(edge: &mut DraftEdge, measured: Option<f64>, notes: &mut Notes) {
         (Some(Letter::Mountain), Some(angle)) if angle > NEARLY => opposite(edge, angle, notes),
         (Some(Letter::Valley), Some(angle)) if angle < -NEARLY => opposite(edge, angle, notes),
         (Some(letter @ (Letter::Flat | Letter::Join)), Some(angle)) if angle != 0.0 && measured.is_none() => {
-            notes.add_with("has a fold angle, which is kept", || {
+            notes.add_with(WarningCode::AngleOnFlat, "has a fold angle, which is kept", || {
                 (edge.origin.place("edges_assignment"), letter.name().into())
             });
         }
@@ -135,7 +142,8 @@ fn hinge(edge: &mut DraftEdge, measured: Option<f64>, notes: &mut Notes) {
 
 fn opposite(edge: &DraftEdge, angle: f64, notes: &mut Notes) {
     let letter = edge.letter.map_or("", Letter::name);
-    notes.add_with("degrees: letter and fold angle are of opposite sign; the angle is kept", || {
+    let message = "degrees: letter and fold angle are of opposite sign; the angle is kept";
+    notes.add_with(WarningCode::OppositeSigns, message, || {
         (edge.origin.place("edges_foldAngle"), format!("{letter} with {}", Short(angle.to_degrees())))
     });
 }
@@ -180,7 +188,8 @@ fn measure(draft: &mut Draft, sides: &Sides, keys: Keys) -> Option<Vec<Option<f6
         return Some(angles);
     }
     if keys.letters && !keys.angles {
-        draft.notes.add_once("vertices_coords", "the sheet lies flat in a tilted plane: nothing to measure".into());
+        let message = "the sheet lies flat in a tilted plane: nothing to measure";
+        draft.notes.add_once(WarningCode::TiltedPlane, "vertices_coords", message);
     }
     None
 }

@@ -10,7 +10,7 @@ use super::sides::Sides;
 use super::{
     CreasePattern, PatternEdge, angles, cuts, faces_given, keys, orient, overrides, paper, planar, plane, sides,
 };
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place, WarningCode};
 use crate::fold::Frame;
 use crate::ids::{EdgeId, VertexId};
 
@@ -46,40 +46,47 @@ pub(super) fn build(frame: &Frame) -> Result<CreasePattern, Error> {
 fn vertices(frame: &Frame, notes: &mut Notes) -> Result<Vec<DVec3>, Error> {
     let coords = frame.vertices_coords.as_deref().unwrap_or_default();
     if coords.is_empty() {
-        return Err(Error::invalid("vertices_coords", "is missing or empty", "the positions of the vertices"));
+        let place = Place::key("vertices_coords");
+        return Err(Error::new(ErrorCode::MissingKey, place, "is missing or empty", "the positions of the vertices"));
     }
     countable("vertices_coords", coords.len())?;
     let dimension = coords[0].dimension;
     for (index, other) in coords.iter().enumerate().filter(|(_, other)| other.dimension != dimension) {
-        notes.add_with("numbers, the first vertex has another count; a z that is not given is 0", || {
-            (format!("vertices_coords[{index}]"), format!("has {}", other.dimension))
+        let message = "numbers, the first vertex has another count; a z that is not given is 0";
+        notes.add_with(WarningCode::MixedDimensions, message, || {
+            (Place::entry("vertices_coords", index), format!("has {}", other.dimension))
         });
     }
     let position = |(index, coords): (usize, &crate::fold::Coordinates)| {
         let finite = coords.position.is_finite().then_some(coords.position);
-        finite.ok_or_else(|| Error::invalid(format!("vertices_coords[{index}]"), "is not finite", "numbers"))
+        let place = || Place::entry("vertices_coords", index);
+        finite.ok_or_else(|| Error::new(ErrorCode::NotFinite, place(), "is not finite", "numbers"))
     };
     coords.iter().enumerate().map(position).collect()
 }
 
-fn countable(key: &str, count: usize) -> Result<(), Error> {
+fn countable(key: &'static str, count: usize) -> Result<(), Error> {
     if count <= MOST {
         return Ok(());
     }
-    Err(Error::invalid(key, format!("has {count} entries"), format!("at most {MOST}")))
+    let (problem, expected) = (format!("has {count} entries"), format!("at most {MOST}"));
+    Err(Error::new(ErrorCode::TooManyEntries, Place::key(key), problem, expected))
 }
 
 fn size(vertices: &[DVec3]) -> Result<f64, Error> {
     let size = plane::extent(vertices).max_element();
+    let place = || Place::key("vertices_coords");
     if size == 0.0 {
-        return Err(Error::invalid("vertices_coords", "all vertices lie at one place", "a sheet with an area"));
+        let problem = "all vertices lie at one place";
+        return Err(Error::new(ErrorCode::SheetSize, place(), problem, "a sheet with an area"));
     }
     let (least, most) = (10f64.powi(-RANGE), 10f64.powi(RANGE));
     if (least..=most).contains(&size) {
         return Ok(size);
     }
-    Err(Error::invalid(
-        "vertices_coords",
+    Err(Error::new(
+        ErrorCode::SheetSize,
+        place(),
         format!("the pattern is {size:e} in size"),
         format!("between {least:e} and {most:e}"),
     ))
@@ -95,12 +102,14 @@ fn edges(frame: &Frame, vertices: usize, notes: &mut Notes) -> Result<Vec<DraftE
     let ea = overrides::edge_numbers(frame, keys::EA, count, 0.0)?;
     let mut edges = Vec::with_capacity(count);
     for (index, &ends) in ends.iter().enumerate() {
-        let refuse = |problem, expected| Err(Error::invalid(format!("edges_vertices[{index}]"), problem, expected));
+        let place = || Place::entry("edges_vertices", index);
         if let Some(vertex) = ends.into_iter().find(|&vertex| vertex as usize >= vertices) {
-            return refuse(format!("vertex {vertex} does not exist"), format!("numbers below {vertices}"));
+            let (problem, expected) = (format!("vertex {vertex} does not exist"), format!("numbers below {vertices}"));
+            return Err(Error::new(ErrorCode::NoSuchVertex, place(), problem, expected));
         }
         if ends[0] == ends[1] {
-            return refuse(format!("joins vertex {} to itself", ends[0]), "two different vertices".into());
+            let problem = format!("joins vertex {} to itself", ends[0]);
+            return Err(Error::new(ErrorCode::EdgeWithoutLength, place(), problem, "two different vertices"));
         }
         edges.push(DraftEdge {
             ends,
@@ -127,7 +136,10 @@ fn given_angles(frame: &Frame, edges: usize) -> Result<Vec<GivenAngle>, Error> {
             Ok(GivenAngle::Degrees(degrees))
         }
         (Some(degrees), _) if degrees.is_finite() => Ok(GivenAngle::Degrees(degrees)),
-        (Some(_), _) => Err(Error::invalid(format!("edges_foldAngle[{index}]"), "is not finite", "degrees, or null")),
+        (Some(_), _) => {
+            let place = Place::entry("edges_foldAngle", index);
+            Err(Error::new(ErrorCode::NotFinite, place, "is not finite", "degrees, or null"))
+        }
     };
     angles.iter().enumerate().map(given).collect()
 }
@@ -138,11 +150,13 @@ fn faces(draft: &mut Draft, frame: &Frame) -> Result<Sides, Error> {
     if faces.is_empty() {
         if draft.edges.is_empty() {
             let problem = "is missing or empty, and so is faces_vertices";
-            return Err(Error::invalid("edges_vertices", problem, "edges, or faces, or both"));
+            let place = Place::key("edges_vertices");
+            return Err(Error::new(ErrorCode::MissingKey, place, problem, "edges, or faces, or both"));
         }
         if !draft.flat {
             let problem = "is missing, and the vertices do not lie in one plane of constant z";
-            return Err(Error::invalid("faces_vertices", problem, "the faces of a sheet in space"));
+            let place = Place::key("faces_vertices");
+            return Err(Error::new(ErrorCode::MissingKey, place, problem, "the faces of a sheet in space"));
         }
         let mut map = planar::arrange(draft)?;
         let was = if frame.faces_vertices.is_some() { "is empty" } else { "is missing" };
@@ -155,9 +169,11 @@ fn faces(draft: &mut Draft, frame: &Frame) -> Result<Sides, Error> {
     let listed = draft.edges.len();
     let sides = sides::collect(draft, &mut map, unlisted)?;
     if unlisted.is_some() {
-        let kind = "has a side that edges_vertices does not list; between two faces it is taken as flat";
+        let message = "has a side that edges_vertices does not list; between two faces it is taken as flat";
         for edge in &draft.edges[listed..] {
-            draft.notes.add_with(kind, || (edge.origin.place("edges_vertices"), String::new()));
+            draft
+                .notes
+                .add_with(WarningCode::UnlistedSide, message, || (edge.origin.place("edges_vertices"), String::new()));
         }
     }
     let turned = orient::orient(draft, &sides)?;
@@ -170,7 +186,8 @@ fn note_isolated(draft: &mut Draft) {
     let ends = draft.edges.iter().filter(|edge| edge.alias.is_none()).flat_map(|edge| edge.ends);
     ends.for_each(|vertex| used[vertex as usize] = true);
     for (vertex, _) in used.iter().enumerate().filter(|(_, used)| !**used) {
-        draft.notes.add("vertices_coords", vertex, "belongs to no edge and no face; it stays where it is");
+        let message = "belongs to no edge and no face; it stays where it is";
+        draft.notes.add(WarningCode::IsolatedVertex, "vertices_coords", vertex, message);
     }
 }
 

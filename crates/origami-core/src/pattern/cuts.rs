@@ -3,6 +3,7 @@
 use super::draft::{Draft, DraftEdge};
 use super::letters::Letter;
 use super::sides::{Side, Sides};
+use crate::error::WarningCode;
 
 /// Opens all cuts between two faces. At each vertex on a cut the corners of the faces are grouped by what still hangs
 /// together; the first group, in the order of the faces, keeps the vertex, each other one gets a copy. A cut becomes
@@ -30,11 +31,8 @@ pub(super) fn open(draft: &mut Draft, sides: &Sides) {
         let [Some(one), Some(two)] = sides[edge].map(|side| side.map(|side| side.ends(&draft.faces))) else { continue };
         if one == two || one == [two[1], two[0]] {
             let place = draft.edges[edge].origin.place("edges_assignment");
-            draft
-                .notes
-                .add_with("cut whose ends are both inside the sheet: it cannot open, and is a free hinge", || {
-                    (place, String::new())
-                });
+            let message = "cut whose ends are both inside the sheet: it cannot open, and is a free hinge";
+            draft.notes.add_with(WarningCode::ClosedCut, message, || (place, String::new()));
             draft.edges[edge].letter = Some(Letter::Unassigned);
         } else {
             draft.edges[edge].letter = Some(Letter::Boundary);

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::letters::Letter;
 use super::notes::Notes;
 use crate::csr::Csr;
+use crate::error::{Place, WarningCode};
 
 /// A pattern in the making.
 #[derive(Debug)]
@@ -59,10 +60,10 @@ pub(super) enum Origin {
 
 impl Origin {
     /// Its place under an edge key such as `edges_vertices`.
-    pub(super) fn place(self, key: &str) -> String {
+    pub(super) fn place(self, key: &'static str) -> Place {
         match self {
-            Self::File(edge) => format!("{key}[{edge}]"),
-            Self::Face(face) => format!("faces_vertices[{face}]"),
+            Self::File(edge) => Place::entry(key, edge as usize),
+            Self::Face(face) => Place::entry("faces_vertices", face as usize),
         }
     }
 }
@@ -128,12 +129,14 @@ impl Draft {
             let (kept, added) = (edge.origin, other.origin);
             let show = |letter: Option<Letter>| letter.map_or("none", Letter::name);
             let (a, b) = (show(edge.letter), show(other.letter));
-            self.notes.add_with("given to one line; a mountain or valley wins, otherwise the first letter", || {
+            let message = "given to one line; a mountain or valley wins, otherwise the first letter";
+            self.notes.add_with(WarningCode::EdgeTwiceLetters, message, || {
                 (added.place("edges_assignment"), format!("{b}, and {a} at {},", kept.place("edges_assignment")))
             });
         } else {
             let place = other.origin.place("edges_vertices");
-            self.notes.add_with("line given more than once; the first stands for all", || (place, String::new()));
+            let message = "line given more than once; the first stands for all";
+            self.notes.add_with(WarningCode::EdgeTwice, message, || (place, String::new()));
         }
         if other.letter.is_some_and(Letter::drives) && !edge.letter.is_some_and(Letter::wins_over_driving) {
             *edge = DraftEdge { ends: edge.ends, origin: edge.origin, alias: None, ..other.clone() };

@@ -2,7 +2,7 @@
 
 use super::draft::{Draft, EdgeMap};
 use super::plane::{area_vector, extent, radius};
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place, WarningCode};
 
 /// Edges shorter than this, in sizes of the pattern, have no length.
 const SHORTEST: f64 = 1e-12;
@@ -28,7 +28,8 @@ fn merge_edges(draft: &mut Draft) -> Result<EdgeMap, Error> {
         let [a, b] = edge.ends.map(|v| draft.points[v as usize]);
         if a.distance(b) < SHORTEST {
             let problem = format!("vertices {} and {} lie at one place", edge.ends[0], edge.ends[1]);
-            return Err(Error::invalid(format!("edges_vertices[{index}]"), problem, "an edge with a length"));
+            let place = Place::entry("edges_vertices", index);
+            return Err(Error::new(ErrorCode::EdgeWithoutLength, place, problem, "an edge with a length"));
         }
     }
     let map = EdgeMap::new(draft.points.len(), &draft.edges);
@@ -43,22 +44,27 @@ fn merge_edges(draft: &mut Draft) -> Result<EdgeMap, Error> {
 }
 
 fn check_corners(draft: &Draft, face: &[u32], index: usize) -> Result<(), Error> {
-    let refuse = |problem, expected: &str| Err(Error::invalid(place(index), problem, expected));
+    let refuse = |code, problem, expected: &str| Err(Error::new(code, place(index), problem, expected));
     let vertices = draft.points.len();
     if let Some(&vertex) = face.iter().find(|&&vertex| vertex as usize >= vertices) {
-        return refuse(format!("vertex {vertex} does not exist"), &format!("numbers below {vertices}"));
+        let code = ErrorCode::NoSuchVertex;
+        return refuse(code, format!("vertex {vertex} does not exist"), &format!("numbers below {vertices}"));
     }
     let distinct = distinct(face);
     if distinct < 3 {
-        return refuse(format!("has {distinct} different vertices"), "three or more");
+        return refuse(ErrorCode::FaceOfFewCorners, format!("has {distinct} different vertices"), "three or more");
     }
     let points = &draft.points;
     for (&a, &b) in face.iter().zip(face.iter().cycle().skip(1)) {
         if a == b {
-            return refuse(format!("names vertex {a} twice in a row"), "each corner once");
+            return refuse(ErrorCode::CornerTwice, format!("names vertex {a} twice in a row"), "each corner once");
         }
         if points[a as usize].distance(points[b as usize]) < SHORTEST {
-            return refuse(format!("vertices {a} and {b} lie at one place"), "sides with a length");
+            return refuse(
+                ErrorCode::EdgeWithoutLength,
+                format!("vertices {a} and {b} lie at one place"),
+                "sides with a length",
+            );
         }
     }
     Ok(())
@@ -69,9 +75,14 @@ fn check_area(draft: &mut Draft, face: &[u32], index: usize, thin: f64) -> Resul
     let area = 0.5 * area_vector(corners.iter().copied()).length();
     if area < SMALLEST {
         if distinct(face) < face.len() {
-            return Err(Error::invalid(place(index), "encloses no area", "a polygon"));
+            return Err(Error::new(ErrorCode::FaceWithoutArea, place(index), "encloses no area", "a polygon"));
         }
-        draft.notes.add("faces_vertices", index, "face without area; its folds have no direction");
+        draft.notes.add(
+            WarningCode::FaceWithoutArea,
+            "faces_vertices",
+            index,
+            "face without area; its folds have no direction",
+        );
         return Ok(());
     }
     let height = match corners.as_slice() {
@@ -79,13 +90,14 @@ fn check_area(draft: &mut Draft, face: &[u32], index: usize, thin: f64) -> Resul
         more => area / extent(more).length(),
     };
     if height < thin {
-        draft.notes.add("faces_vertices", index, "thinner than 1e-6 of the sheet's radius; its springs are left out");
+        let message = "thinner than 1e-6 of the sheet's radius; its springs are left out";
+        draft.notes.add(WarningCode::ThinFace, "faces_vertices", index, message);
     }
     Ok(())
 }
 
-fn place(index: usize) -> String {
-    format!("faces_vertices[{index}]")
+fn place(index: usize) -> Place {
+    Place::entry("faces_vertices", index)
 }
 
 /// How many different vertices a face has.

@@ -2,7 +2,7 @@
 
 use super::Assignment;
 use super::notes::Notes;
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place, WarningCode};
 use crate::fold::Frame;
 
 /// A letter of FOLD 1.2, cuts included.
@@ -69,13 +69,14 @@ pub(super) fn read(frame: &Frame, edges: usize, notes: &mut Notes) -> Result<Vec
     for (index, text) in texts.iter().enumerate() {
         let letter = Letter::parse(text).or_else(|| {
             let upper = Letter::parse(&text.to_ascii_uppercase())?;
-            notes.add("edges_assignment", index, "lower-case letter, taken as upper case");
+            let message = "lower-case letter, taken as upper case";
+            notes.add(WarningCode::LowerCase, "edges_assignment", index, message);
             Some(upper)
         });
         let letter = letter.unwrap_or_else(|| {
             let shown: String = text.chars().take(12).collect();
-            notes.add_with("is none of B, M, V, F, U, C and J; taken as U", || {
-                (format!("edges_assignment[{index}]"), format!("{shown:?}"))
+            notes.add_with(WarningCode::UnknownLetter, "is none of B, M, V, F, U, C and J; taken as U", || {
+                (Place::entry("edges_assignment", index), format!("{shown:?}"))
             });
             Letter::Unassigned
         });
@@ -85,10 +86,10 @@ pub(super) fn read(frame: &Frame, edges: usize, notes: &mut Notes) -> Result<Vec
 }
 
 /// Refuses an array under `key` that does not have one entry for each edge.
-pub(super) fn same_length(key: &str, entries: usize, edges: usize) -> Result<(), Error> {
+pub(super) fn same_length(key: &'static str, entries: usize, edges: usize) -> Result<(), Error> {
     if entries == edges {
         return Ok(());
     }
     let problem = format!("has {entries} entries where edges_vertices has {edges}");
-    Err(Error::invalid(key, problem, "one entry for each edge"))
+    Err(Error::new(ErrorCode::WrongLength, Place::key(key), problem, "one entry for each edge"))
 }

@@ -5,7 +5,7 @@ use super::letters::Letter;
 use super::plane::area_vector;
 use super::sides::Sides;
 use crate::csr::Csr;
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, WarningCode};
 
 /// How another face lies at a side of this one.
 #[derive(Clone, Copy)]
@@ -42,7 +42,8 @@ pub(super) fn orient(draft: &mut Draft, sides: &Sides) -> Result<bool, Error> {
     let mut any = false;
     for (index, _) in turned.iter().enumerate().filter(|(_, turned)| **turned == Some(true)) {
         draft.faces[index][1..].reverse();
-        draft.notes.add("faces_vertices", index, "runs the other way round than its neighbours; turned over");
+        let message = "runs the other way round than its neighbours; turned over";
+        draft.notes.add(WarningCode::FaceTurned, "faces_vertices", index, message);
         any = true;
     }
     Ok(any)
@@ -56,8 +57,8 @@ pub(super) fn note_clockwise(draft: &mut Draft) {
     let Draft { faces, points, notes, .. } = draft;
     for (index, face) in faces.iter().enumerate() {
         if area_vector(face.iter().map(|&v| points[v as usize])).z < 0.0 {
-            let kind = "runs clockwise: its letters and angles are taken as seen from the other side";
-            notes.add("faces_vertices", index, kind);
+            let message = "runs clockwise: its letters and angles are taken as seen from the other side";
+            notes.add(WarningCode::FaceClockwise, "faces_vertices", index, message);
         }
     }
 }
@@ -88,7 +89,7 @@ fn walk(
                         "faces_vertices {face} and {} cannot be turned to agree: the sheet has one side only",
                         next.face
                     );
-                    return Err(Error::invalid(place, problem, "a sheet with two sides"));
+                    return Err(Error::new(ErrorCode::OneSided, place, problem, "a sheet with two sides"));
                 }
                 Some(_) => {}
             }

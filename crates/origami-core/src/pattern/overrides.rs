@@ -4,11 +4,16 @@ use serde_json::Value;
 
 use super::keys::FIXED;
 use super::letters::same_length;
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place};
 use crate::fold::Frame;
 
 /// One number of at least `least`, or none, for each edge.
-pub(super) fn edge_numbers(frame: &Frame, key: &str, edges: usize, least: f64) -> Result<Vec<Option<f64>>, Error> {
+pub(super) fn edge_numbers(
+    frame: &Frame,
+    key: &'static str,
+    edges: usize,
+    least: f64,
+) -> Result<Vec<Option<f64>>, Error> {
     let Some(value) = frame.extra.get(key) else { return Ok(vec![None; edges]) };
     let entries = array(key, value)?;
     same_length(key, entries.len(), edges)?;
@@ -29,7 +34,7 @@ pub(super) fn fixed(frame: &Frame, vertices: usize) -> Result<Vec<bool>, Error> 
     let entries = array(FIXED, value)?;
     if entries.len() != vertices {
         let problem = format!("has {} entries where vertices_coords has {vertices}", entries.len());
-        return Err(Error::invalid(FIXED, problem, "one entry for each vertex"));
+        return Err(Error::new(ErrorCode::WrongLength, Place::key(FIXED), problem, "one entry for each vertex"));
     }
     let flag = |(index, entry): (usize, &Value)| match (entry.as_bool(), entry.as_f64()) {
         (Some(flag), _) => Ok(flag),
@@ -40,11 +45,11 @@ pub(super) fn fixed(frame: &Frame, vertices: usize) -> Result<Vec<bool>, Error> 
     entries.iter().enumerate().map(flag).collect()
 }
 
-fn array<'a>(key: &str, value: &'a Value) -> Result<&'a Vec<Value>, Error> {
-    value.as_array().ok_or_else(|| Error::invalid(key, "is not an array", "an array"))
+fn array<'a>(key: &'static str, value: &'a Value) -> Result<&'a Vec<Value>, Error> {
+    value.as_array().ok_or_else(|| Error::new(ErrorCode::WrongType, Place::key(key), "is not an array", "an array"))
 }
 
-fn wrong(key: &str, index: usize, entry: &Value, expected: &str) -> Error {
+fn wrong(key: &'static str, index: usize, entry: &Value, expected: &str) -> Error {
     let shown: String = entry.to_string().chars().take(24).collect();
-    Error::invalid(format!("{key}[{index}]"), format!("is {shown}"), expected)
+    Error::new(ErrorCode::WrongValue, Place::entry(key, index), format!("is {shown}"), expected)
 }

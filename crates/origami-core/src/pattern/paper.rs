@@ -6,7 +6,7 @@ use super::loops::{OUTSIDE, Regions, regions};
 use super::region;
 use super::sides::{self, Sides};
 use crate::csr::Csr;
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place, WarningCode};
 
 /// Builds the faces of a flat draft whose edges meet at their ends only. `was` says what became of the file's own.
 pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap, was: &str) -> Result<Sides, Error> {
@@ -21,13 +21,15 @@ pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap, was: &str) -> Re
     // The region outside is none.
     let holes = paper.iter().skip(1).filter(|paper| !**paper).count();
     let (faces, holes) = (counted(draft.faces.len(), "face"), counted(holes, "hole"));
-    draft.notes.add_once("faces_vertices", format!("{was}; built from the lines: {faces}, {holes}"));
+    let message = format!("{was}; built from the lines: {faces}, {holes}");
+    draft.notes.add_once(WarningCode::FacesBuilt, "faces_vertices", message);
     let sides = sides::collect(draft, map, Some(Letter::Join))?;
     for (edge, _) in sides.iter().enumerate().filter(|(_, pair)| pair[1].is_some()) {
         if draft.edges[edge].letter == Some(Letter::Boundary) {
             draft.edges[edge].letter = Some(Letter::Cut);
             let place = draft.edges[edge].origin.place("edges_assignment");
-            draft.notes.add_with("with paper on both sides; the sheet is cut there", || (place, "B".into()));
+            let message = "with paper on both sides; the sheet is cut there";
+            draft.notes.add_with(WarningCode::BoundaryCut, message, || (place, "B".into()));
         }
     }
     Ok(sides)
@@ -42,7 +44,7 @@ fn counted(count: usize, one: &str) -> String {
 /// The refusal of lines that make no face.
 pub(super) fn no_paper() -> Error {
     let problem = "the lines enclose no paper, and there is no faces_vertices";
-    Error::invalid("edges_vertices", problem, "closed outlines, or faces")
+    Error::new(ErrorCode::NoPaper, Place::key("edges_vertices"), problem, "closed outlines, or faces")
 }
 
 /// Whether each region is paper. Crossing a boundary edge leads from outside into paper, from paper into a hole and from
@@ -115,7 +117,8 @@ fn add_faces(draft: &mut Draft, walks: &[Vec<u32>]) -> Result<(), Error> {
     let flat: Vec<u32> = corners.concat();
     let triangles = region::triangulate(&outlines).map_err(|fault| {
         let edge = draft.edges[walks[0][0] as usize / 2].origin.place("edges_vertices");
-        Error::invalid(edge, format!("the region beside it {fault}"), "a region with separate islands")
+        let problem = format!("the region beside it {fault}");
+        Error::new(ErrorCode::FaceNotSimple, edge, problem, "a region with separate islands")
     })?;
     draft.faces.extend(triangles.iter().map(|corners| corners.iter().map(|&corner| flat[corner]).collect::<Vec<_>>()));
     Ok(())

@@ -9,7 +9,7 @@ use super::paper::no_paper;
 use super::places::Places;
 use super::plane::{extent, orient};
 use crate::csr::Csr;
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place, WarningCode};
 
 /// What is nearer than this, in sizes of the pattern, touches. Files with six digits are off by as much.
 const TOUCH: f64 = 2e-6;
@@ -64,7 +64,9 @@ pub(super) fn arrange(draft: &mut Draft) -> Result<EdgeMap, Error> {
 }
 
 fn crowded() -> Error {
-    Error::invalid("edges_vertices", "lines cross too densely to be told apart", "a crease pattern, or faces_vertices")
+    let problem = "lines cross too densely to be told apart";
+    let place = Place::key("edges_vertices");
+    Error::new(ErrorCode::LinesTooDense, place, problem, "a crease pattern, or faces_vertices")
 }
 
 /// Vertices in the plane.
@@ -87,7 +89,8 @@ impl Graph {
             if let Some(first) = places.find(point) {
                 draft.vertex_alias[index] = Some(first);
                 draft.fixed[first as usize] |= draft.fixed[index];
-                draft.notes.add("vertices_coords", index, "lies on another vertex; the two are one");
+                let message = "lies on another vertex; the two are one";
+                draft.notes.add(WarningCode::VerticesMerged, "vertices_coords", index, message);
             } else {
                 places.insert(index as u32, point);
             }
@@ -203,8 +206,11 @@ impl Graph {
         let z = draft.points.first().map_or(0.0, |point| point.z);
         let in_file = self.points.len() - self.crossings.len();
         for (point, [one, two]) in self.points[in_file..].iter().zip(&self.crossings) {
-            draft.notes.add_with("both get a vertex there", || {
-                (format!("edges_vertices[{}]", one.min(two)), format!("crosses edges_vertices[{}];", one.max(two)))
+            draft.notes.add_with(WarningCode::EdgesCross, "both get a vertex there", || {
+                (
+                    Place::entry("edges_vertices", *one.min(two) as usize),
+                    format!("crosses edges_vertices[{}];", one.max(two)),
+                )
             });
             draft.push_vertex(DVec3::new(point.x, point.y, z), false);
         }
@@ -214,8 +220,9 @@ impl Graph {
 /// Warns of vertices of the file that lie on a line of it.
 fn note_touching(notes: &mut Notes, in_file: usize, pieces: &[Piece], splits: &[Split]) {
     for split in splits.iter().filter(|split| (split.vertex as usize) < in_file) {
-        notes.add_with("lies on it; the line is split there", || {
-            (format!("edges_vertices[{}]", pieces[split.piece as usize].edge), format!("vertex {}", split.vertex))
+        notes.add_with(WarningCode::VertexOnEdge, "lies on it; the line is split there", || {
+            let edge = pieces[split.piece as usize].edge as usize;
+            (Place::entry("edges_vertices", edge), format!("vertex {}", split.vertex))
         });
     }
 }
@@ -320,6 +327,6 @@ fn replace_vanished(draft: &mut Draft, vanished: &[usize]) {
         let vertex = draft.edges[index].ends[0];
         let vertex = draft.vertex_alias[vertex as usize].unwrap_or(vertex);
         draft.edges[index].alias = edge_at[vertex as usize].or(any);
-        draft.notes.add("edges_vertices", index, "edge without length; left out");
+        draft.notes.add(WarningCode::EdgeWithoutLength, "edges_vertices", index, "edge without length; left out");
     }
 }

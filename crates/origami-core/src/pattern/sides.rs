@@ -2,7 +2,7 @@
 
 use super::draft::{Draft, DraftEdge, EdgeMap};
 use super::letters::Letter;
-use crate::error::Error;
+use crate::error::{Error, ErrorCode};
 
 /// The side of a face that runs from one corner to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub(super) fn collect(draft: &mut Draft, map: &mut EdgeMap, letter: Option<Lette
             [Some(a), Some(b)] => {
                 let place = draft.edges[edge].origin.place("edges_vertices");
                 let problem = format!("the line is a side of faces_vertices {}, {} and {}", a.face, b.face, side.face);
-                return Err(Error::invalid(place, problem, "at most two faces at an edge"));
+                return Err(Error::new(ErrorCode::EdgeOfManyFaces, place, problem, "at most two faces at an edge"));
             }
         }
     }

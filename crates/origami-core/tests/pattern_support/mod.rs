@@ -54,7 +54,7 @@ pub fn refused(frame: &Frame) -> String {
 
 /// Asserts that a warning names the place and says the words.
 pub fn assert_warned(pattern: &CreasePattern, place: &str, words: &str) {
-    let found = pattern.warnings.iter().any(|w| w.place == place && w.message.contains(words));
+    let found = pattern.warnings.iter().any(|w| w.place.to_string() == place && w.message.contains(words));
     assert!(found, "no warning at {place} saying {words:?} in {:#?}", pattern.warnings);
 }
 

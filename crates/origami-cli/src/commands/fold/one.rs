@@ -1,5 +1,6 @@
 //! One input: read, build, solve, write.
 
+use origami::error::WarningCode;
 use origami::export::Template;
 use origami::model::Model;
 use origami::solve::{Failed, Progress, Stop, fold_path};
@@ -142,7 +143,11 @@ fn attempt(
     }
     run.seconds.draw = Some(drawing);
     if let Some(trouble) = artist.brush.trouble() {
-        told.warnings.push(Warning::new("pictures", format!("drawn by the processor, since {trouble}")));
+        told.warnings.push(Warning::new(
+            WarningCode::Fallback,
+            "pictures",
+            format!("drawn by the processor, since {trouble}"),
+        ));
     }
 
     told.summary = Some(summary::line(&run));

@@ -1,6 +1,6 @@
 //! Sheets that could not do what they were asked to.
 
-use crate::error::Warning;
+use crate::error::{Place, Warning, WarningCode};
 use crate::measure::{Strain, angle_error};
 use crate::model::Model;
 use crate::solve::Folded;
@@ -31,6 +31,6 @@ pub fn frustration(model: &Model, folded: &Folded) -> Option<Warning> {
             100.0 * strain.mean,
             angles.max
         );
-        Warning::new(format!("the sheet at {} %", folded.percent), message)
+        Warning::new(WarningCode::StrainedAtRest, Place::Sheet { percent: Some(folded.percent) }, message)
     })
 }

@@ -2,10 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::places;
-use crate::error::Warning;
-use crate::ids::NodeId;
-use crate::model::Model;
+use crate::error::{CreasePlace, Place, Warning, WarningCode};
+use crate::model::{Crease, Model};
 
 /// From here on a fold angle is past 180 degrees; rounding alone does not get there.
 const PAST: f64 = PI * (1.0 + 1e-9);
@@ -15,14 +13,18 @@ pub(super) fn over_folding(model: &Model, percents: &[f64]) -> Option<Warning> {
     let percent = percents.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
     let asked = |goal: f64| (goal * percent / 100.0).abs();
     let past = model.creases.iter().filter(|crease| crease.stiffness > 0.0 && asked(crease.goal) > PAST);
-    let ends: Vec<[NodeId; 2]> = past.clone().map(|crease| [crease.nodes[2], crease.nodes[3]]).collect();
+    let place = |crease: &Crease| {
+        let ends = [crease.nodes[2], crease.nodes[3]].map(|node| model.mesh.vertex_of_node[node.index()]);
+        CreasePlace::new(ends, model.mesh.sides[crease.side.index()].edge)
+    };
+    let places: Vec<CreasePlace> = past.clone().map(place).collect();
     let most = past.map(|crease| asked(crease.goal)).fold(0.0, f64::max).to_degrees();
-    (!ends.is_empty()).then(|| {
+    (!places.is_empty()).then(|| {
         let message = format!(
             "asked to fold past 180 degrees at {percent} %, up to {most:.1}: there its sides go through each other, and \
              which of several states is reached depends on the way"
         );
-        Warning::new(places(model, ["crease", "creases"], &ends), message)
+        Warning::new(WarningCode::OverFolding, Place::Creases(places), message)
     })
 }
 
@@ -30,6 +32,7 @@ pub(super) fn over_folding(model: &Model, percents: &[f64]) -> Option<Warning> {
 mod tests {
     use super::*;
     use crate::generate::{Miura, SingleCrease};
+    use crate::ids::EdgeId;
     use crate::model::Material;
 
     #[test]
@@ -40,7 +43,8 @@ mod tests {
         }
         for percents in [&[101.0][..], &[0.0, -120.0, 100.0]] {
             let warning = over_folding(&model, percents).unwrap();
-            assert!(warning.place.starts_with("creases ") && warning.place.ends_with(" more"), "{warning}");
+            let Place::Creases(creases) = &warning.place else { panic!("{warning}") };
+            assert_eq!(creases.len(), model.creases.iter().filter(|crease| crease.goal != 0.0).count());
         }
         assert!(over_folding(&model, &[-120.0]).unwrap().message.contains("at -120 %, up to 216.0"));
     }
@@ -51,8 +55,9 @@ mod tests {
         let model = Model::new(&pattern, &Material::default()).unwrap();
         assert_eq!(over_folding(&model, &[199.0]), None);
         let warning = over_folding(&model, &[201.0]).unwrap();
-        let [a, b] = [2, 3].map(|i| model.mesh.vertex_of_node[model.creases[0].nodes[i].index()].index());
-        assert_eq!(warning.place, format!("crease {a}-{b}"));
+        let edge = pattern.edges.iter().position(|edge| edge.fold_angle.is_some()).unwrap();
+        let ends = [2, 3].map(|i| model.mesh.vertex_of_node[model.creases[0].nodes[i].index()]);
+        assert_eq!(warning.place, Place::Creases(vec![CreasePlace::new(ends, Some(EdgeId::new(edge)))]));
         // A hinge without a spring is asked for nothing.
         let loose = Model::new(&pattern, &Material { k_fold: 0.0, ..Material::default() }).unwrap();
         assert_eq!(over_folding(&loose, &[201.0]), None);

@@ -1,7 +1,6 @@
 //! Where single precision ends: stiff parts whose rounding moves soft ones farther than the tolerance.
 
-use super::places;
-use crate::error::Warning;
+use crate::error::{Place, Warning, WarningCode};
 use crate::ids::NodeId;
 use crate::model::Model;
 
@@ -35,7 +34,8 @@ pub fn single_precision(model: &Model, tolerance: f64) -> Option<Warning> {
             "single precision moves it by about {distance:.0e} of the radius, more than the tolerance of {tolerance:.0e}: its \
              creases are too soft for what else holds it; the processor computes in double precision"
         );
-        Warning::new(places(model, ["vertex", "vertices"], &[[node]]), message)
+        let place = Place::Vertices(vec![model.mesh.vertex_of_node[node.index()]]);
+        Warning::new(WarningCode::SinglePrecision, place, message)
     })
 }
 

@@ -2,8 +2,7 @@
 
 use glam::DVec3;
 
-use super::places;
-use crate::error::Warning;
+use crate::error::{Place, Warning, WarningCode};
 use crate::ids::NodeId;
 use crate::model::Model;
 
@@ -23,8 +22,9 @@ pub(super) fn slivers(model: &Model) -> Option<Warning> {
         "height of the thinnest {thinnest:.1e} of its longest side, expected {SLIVER} or more: the paper's time step may not \
          hold, angles there are inexact and convergence is slow"
     );
-    let corners: Vec<[NodeId; 3]> = thin.iter().map(|(_, nodes)| *nodes).collect();
-    Some(Warning::new(places(model, ["triangle", "triangles"], &corners), message))
+    let vertices = |nodes: [NodeId; 3]| nodes.map(|node| model.mesh.vertex_of_node[node.index()]);
+    let place = Place::Triangles(thin.iter().map(|(_, nodes)| vertices(*nodes)).collect());
+    Some(Warning::new(WarningCode::Slivers, place, message))
 }
 
 /// Smallest height over longest side; 0 for a triangle without area.
@@ -64,8 +64,7 @@ mod tests {
         pattern.vertices[moved.index()] = to + (from - to) * 1e-3;
         let model = Model::new(&pattern, &Material::default()).unwrap();
         let warning = slivers(&model).unwrap();
-        assert!(warning.place.starts_with("triangle"), "{warning}");
-        let named = warning.place.split([' ', ',']).nth(1).unwrap();
-        assert!(named.split('-').any(|v| v == moved.index().to_string()), "{warning}");
+        let Place::Triangles(thin) = &warning.place else { panic!("{warning}") };
+        assert!(thin[0].contains(&moved) && thin[0].contains(&neighbour), "{warning}");
     }
 }

@@ -273,6 +273,9 @@ impl<'de> Visitor<'de> for Any {
     }
 }
 
+/// The message for a key that an object has twice.
+pub(super) const KEY_TWICE: &str = "the key is there twice in one object, expected once";
+
 /// The value of a key that the object has already. Refused here, where the path of keys still names it.
 #[derive(Clone, Copy)]
 pub(super) struct Twice;
@@ -281,6 +284,6 @@ impl<'de> DeserializeSeed<'de> for Twice {
     type Value = ();
 
     fn deserialize<D: Deserializer<'de>>(self, _: D) -> Result<(), D::Error> {
-        Err(D::Error::custom("the key is there twice in one object, expected once"))
+        Err(D::Error::custom(KEY_TWICE))
     }
 }

@@ -15,6 +15,7 @@ mod kernel;
 pub mod measure;
 pub mod mesh;
 pub mod model;
+mod parallel;
 pub mod pattern;
 pub mod rigid;
 pub mod solve;

@@ -8,7 +8,7 @@ use origami_core::error::{CreasePlace, ErrorCode, Place, WarningCode};
 use origami_core::fold::Document;
 use origami_core::generate::{Hypar, SingleCrease};
 use origami_core::ids::{EdgeId, FaceId, VertexId};
-use origami_core::measure::{dangers, frustration, single_precision};
+use origami_core::measure::{scene_warnings, single_precision, strained_at_rest};
 use origami_core::{CreasePattern, Error, Material, Model, Relax, Warning};
 
 fn broken(name: &str) -> PathBuf {
@@ -176,7 +176,7 @@ fn every_kind_of_warning_has_its_code_and_its_place() {
     let crease = pattern.edges.iter().position(|edge| edge.fold_angle.is_some()).expect("a crease");
     let one = model(&pattern).expect("a model");
     let mut ends = pattern.edges[crease].vertices;
-    let told = dangers(&one, &[1000.0]);
+    let told = scene_warnings(&one, &[1000.0]);
     if let Some(Place::Creases(creases)) = told.first().map(|warning| &warning.place) {
         // In the direction of its first triangle.
         if creases[0].vertices != ends {
@@ -188,7 +188,7 @@ fn every_kind_of_warning_has_its_code_and_its_place() {
     let mut thin = pattern.clone();
     let [near, far] = [pattern.faces[0][0], pattern.faces[0][1]].map(|v| pattern.vertices[v.index()]);
     thin.vertices[pattern.faces[0][0].index()] = far + 1e-3 * (near - far);
-    let told = dangers(&model(&thin).expect("a model"), &[]);
+    let told = scene_warnings(&model(&thin).expect("a model"), &[]);
     let place = told[0].place.clone();
     assert!(matches!(&place, Place::Triangles(all) if all[0].contains(&pattern.faces[0][0])), "{place}");
     warnings.push((told, Slivers, place));
@@ -198,7 +198,7 @@ fn every_kind_of_warning_has_its_code_and_its_place() {
     warnings.push((told, SinglePrecision, place));
     let hypar = model(&Hypar::default().pattern().expect("a hypar")).expect("a model");
     let folded = Relax::default().fold_from_rest(&hypar, 100.0).expect("it folds");
-    let told = frustration(&hypar, &folded).into_iter().collect();
+    let told = strained_at_rest(&hypar, &folded).into_iter().collect();
     warnings.push((told, StrainedAtRest, Place::Sheet { percent: Some(100.0) }));
 
     for (told, code, place) in &warnings {

@@ -1,6 +1,5 @@
 //! From bytes to a [`Document`].
 
-use std::fs;
 use std::io::Read;
 
 use serde::de::DeserializeSeed;
@@ -15,13 +14,14 @@ use super::visitors::Top;
 use crate::error::{Error, ErrorCode, Place, Syntax};
 
 impl Document {
-    /// Reads a FOLD file.
+    /// Reads a FOLD file. Needs the feature `files`.
     ///
     /// # Errors
     /// [`Error::Io`] if the file cannot be read; otherwise as [`Document::from_slice`].
+    #[cfg(feature = "files")]
     pub fn read(path: impl AsRef<std::path::Path>) -> Result<Self, Error> {
         let path = path.as_ref();
-        let bytes = fs::read(path).map_err(|source| Error::Io { path: path.display().to_string(), source })?;
+        let bytes = std::fs::read(path).map_err(|source| Error::Io { path: path.display().to_string(), source })?;
         Self::from_slice(&bytes)
     }
 

@@ -21,6 +21,10 @@ mod nodes;
 mod real;
 mod share;
 mod sheet;
+#[cfg(feature = "parallel")]
+mod team;
+#[cfg(not(feature = "parallel"))]
+#[path = "alone.rs"]
 mod team;
 mod weigh;
 

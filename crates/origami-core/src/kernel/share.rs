@@ -2,6 +2,7 @@
 //! taken in blocks that are never cut.
 
 use super::isa::{Compute, Isa, Pass};
+use crate::parallel;
 
 /// A pass over a list that may be cut in two.
 pub(super) trait Cut<R: Compute>: Pass<R, Output: Send> + Send + Sized {
@@ -24,6 +25,6 @@ pub(super) fn run<R: Compute, P: Cut<R>>(isa: Isa, pass: P, parts: usize) -> P::
     }
     let first = parts / 2;
     let (one, other) = pass.cut((grains * first / parts).max(1) * P::GRAIN);
-    let (one, other) = rayon::join(|| run(isa, one, first), || run(isa, other, parts - first));
+    let (one, other) = parallel::join(|| run(isa, one, first), || run(isa, other, parts - first));
     P::both(one, other)
 }

@@ -4,6 +4,7 @@ use crate::error::Error;
 
 /// Stiffness of the sheet. All numbers hold for a sheet scaled to radius 1 with nodes of mass 1 (see [`super::Normalisation`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Material {
     /// Axial rigidity EA of the beams, a force; a beam of rest length l0 has stiffness EA / l0 (paper 2.2).
     /// Higher: less strain, smaller time steps, slower convergence. Default 20. Greater than 0.

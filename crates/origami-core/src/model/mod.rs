@@ -14,11 +14,11 @@ pub use material::Material;
 pub use normalisation::Normalisation;
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use crate::error::Error;
 use crate::ids::NodeId;
 use crate::mesh::{Mesh, triangulate};
+use crate::parallel;
 use crate::pattern::CreasePattern;
 
 /// Heights and lengths under this many radii carry no hinge and no corner angle: their forces grow as 1 / height, and
@@ -64,9 +64,9 @@ impl Model {
     /// As for [`Model::new`], of the first material that has one.
     pub fn of_each(pattern: &CreasePattern, materials: &[Material]) -> Result<Vec<Self>, Error> {
         let mesh = mesh(pattern)?;
-        let models = materials.par_iter().map(|material| build::build(pattern, mesh.clone(), material));
-        // Collected at once, rayon would give any of several errors.
-        models.collect::<Vec<_>>().into_iter().collect()
+        let models = parallel::map(materials, |_, material| build::build(pattern, mesh.clone(), material));
+        // Of several errors the first.
+        models.into_iter().collect()
     }
 
     /// How many nodes there are.

@@ -6,5 +6,7 @@ pub const K_CREASE: &str = "edges_origami:k_crease";
 pub const EA: &str = "edges_origami:ea";
 /// For each edge its fold angle in degrees as it is, where FOLD's range from -180 to 180 cannot hold it.
 pub const FOLD_ANGLE: &str = "edges_origami:foldAngle";
+/// How far a folded frame was asked to fold, in percent of all fold angles.
+pub const PERCENT: &str = "origami:percent";
 /// For each vertex whether it stays where it is.
 pub const FIXED: &str = "vertices_origami:fixed";

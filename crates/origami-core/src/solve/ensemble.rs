@@ -1,9 +1,8 @@
 //! Many sheets of one pattern: other percentages, materials, starts.
 
-use rayon::prelude::*;
-
 use super::{Failed, Folded, Progress, Solver, State};
 use crate::model::Model;
+use crate::parallel;
 
 /// One sheet of an ensemble.
 #[derive(Clone, Debug)]
@@ -22,9 +21,8 @@ pub(super) fn over_threads<S: Solver + ?Sized>(
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) + Sync),
 ) -> Vec<Result<Folded, Failed>> {
-    let fold = |(i, instance): (usize, &Instance<'_>)| {
+    let fold = |i: usize, instance: &Instance<'_>| {
         solver.fold(instance.model, &instance.start, instance.percent, &mut |progress| observe(i, progress))
     };
-    // One at a time: some take a hundred times as long as others.
-    instances.par_iter().enumerate().with_max_len(1).map(fold).collect()
+    parallel::map(instances, fold)
 }

@@ -5,12 +5,12 @@
 //! are all in it, where the paper's rule (2.5) looks at one beam at a time.
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use crate::forces::corner_angles::Triangle;
 use crate::forces::creases::hinge;
 use crate::ids::NodeId;
 use crate::model::{CornerAngles, Crease, Model};
+use crate::parallel;
 
 /// Springs whose shares are found before they are added up.
 const BLOCK: usize = 4096;
@@ -87,7 +87,7 @@ fn add<S: Sync, const N: usize>(
     let mut found = Vec::with_capacity(BLOCK.min(springs.len()));
     for block in springs.chunks(BLOCK) {
         if shared {
-            block.par_iter().with_min_len(BLOCK / 4).map(&of).collect_into_vec(&mut found);
+            parallel::map_into(block, BLOCK / 4, &of, &mut found);
         } else {
             found.clear();
             found.extend(block.iter().map(&of));

@@ -1,9 +1,8 @@
 //! Threads for a single sheet: those of rayon's global pool. Equal bits for any number of them.
 
-use std::sync::mpsc;
-
 use super::Progress;
 use crate::model::Model;
+use crate::parallel;
 
 /// Each thread has at least so many nodes: below twice as many one thread is alone. With two threads steps of 529 nodes gain
 /// nothing, those of 1 024 up to a third (`cargo bench --bench cpu_step`); whether they do at the moment, a clock tells.
@@ -13,10 +12,7 @@ pub const NODES_A_THREAD: usize = 512;
 /// their own.
 fn count(model: &Model) -> usize {
     let most = model.node_count() / NODES_A_THREAD;
-    if most < 2 || rayon::current_thread_index().is_some() {
-        return 1;
-    }
-    most.min(rayon::current_num_threads())
+    if most < 2 { 1 } else { most.min(parallel::free_threads()) }
 }
 
 /// Does `work`, which is told how many threads there are, and is one of them itself; the calling thread goes on telling
@@ -30,18 +26,5 @@ pub(super) fn share<T: Send>(
     if threads == 1 {
         return work(1, observe);
     }
-    let (sender, receiver) = mpsc::channel();
-    let mut result = None;
-    rayon::in_place_scope(|scope| {
-        scope.spawn(|_| {
-            let sender = sender;
-            // Nobody listens where `observe` panicked, which is seen when the work is done.
-            let mut tell = |progress| {
-                let _ = sender.send(progress);
-            };
-            result = Some(work(threads, &mut tell));
-        });
-        receiver.iter().for_each(observe);
-    });
-    result.expect("a scope ends when all that it spawned has ended")
+    parallel::listen_to(|tell| work(threads, tell), observe)
 }

@@ -2,7 +2,7 @@
 
 use origami_core::error::Place;
 use origami_core::generate::catalog;
-use origami_core::measure::{dangers, frustration, single_precision};
+use origami_core::measure::{scene_warnings, single_precision, strained_at_rest};
 use origami_core::solve::DEFAULT_TOLERANCE;
 use origami_core::{Material, Model, Relax};
 
@@ -15,7 +15,7 @@ fn model(name: &str) -> Model {
 fn generated_patterns_are_not_dangerous() {
     for name in catalog::names() {
         let model = model(name);
-        assert_eq!(dangers(&model, &[60.0, 100.0]), [], "{name}");
+        assert_eq!(scene_warnings(&model, &[60.0, 100.0]), [], "{name}");
         assert_eq!(single_precision(&model, DEFAULT_TOLERANCE), None, "{name}");
     }
 }
@@ -26,8 +26,8 @@ fn those_that_cannot_have_their_angles_are_named_at_100_percent_alone() {
     for name in catalog::names() {
         let model = model(name);
         let folded = |percent| Relax::default().fold_from_rest(&model, percent).expect(name);
-        assert_eq!(frustration(&model, &folded(60.0)), None, "{name}: no share of all angles is a rigid path");
-        if let Some(warning) = frustration(&model, &folded(100.0)) {
+        assert_eq!(strained_at_rest(&model, &folded(60.0)), None, "{name}: no share of all angles is a rigid path");
+        if let Some(warning) = strained_at_rest(&model, &folded(100.0)) {
             assert!(
                 warning.place == Place::Sheet { percent: Some(100.0) } && warning.message.contains("strained, "),
                 "{warning}"
@@ -44,5 +44,5 @@ fn those_that_cannot_have_their_angles_are_named_at_100_percent_alone() {
 fn a_state_that_has_not_converged_is_no_sign() {
     let model = model("hypar");
     let unfinished = Relax { steps: Some(50), ..Relax::default() }.fold_from_rest(&model, 100.0).expect("50 steps");
-    assert_eq!(frustration(&model, &unfinished), None);
+    assert_eq!(strained_at_rest(&model, &unfinished), None);
 }

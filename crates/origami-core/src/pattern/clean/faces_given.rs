@@ -1,8 +1,8 @@
 //! The faces as the file gives them.
 
 use super::draft::{Draft, EdgeMap};
-use super::plane::{area_vector, extent, radius};
 use crate::error::{Error, ErrorCode, Place, WarningCode};
+use crate::pattern::plane::{area_vector, extent, radius};
 
 /// Edges shorter than this, in sizes of the pattern, have no length.
 const SHORTEST: f64 = 1e-12;

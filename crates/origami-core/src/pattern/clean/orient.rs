@@ -2,10 +2,10 @@
 
 use super::draft::Draft;
 use super::letters::Letter;
-use super::plane::area_vector;
 use super::sides::Sides;
 use crate::csr::Csr;
 use crate::error::{Error, ErrorCode, WarningCode};
+use crate::pattern::plane::area_vector;
 
 /// How another face lies at a side of this one.
 #[derive(Clone, Copy)]

@@ -1,26 +1,44 @@
-//! From a FOLD frame to a crease pattern, step by step.
+//! From a FOLD frame to a crease pattern, one step a file: read letters, angles and overrides; take the faces that the file
+//! gives and orient them, or build them from the planar graph (merge, split, trace, tell paper from holes); settle letters
+//! and angles; open the cuts.
+
+mod angles;
+mod boxes;
+mod cuts;
+mod draft;
+mod faces_given;
+mod letters;
+mod loops;
+mod near;
+mod notes;
+mod orient;
+mod overrides;
+mod paper;
+mod planar;
+mod rings;
+mod sides;
 
 use glam::DVec3;
 
-use super::angles::Keys;
-use super::draft::{Draft, DraftEdge, EdgeMap, GivenAngle, Origin};
-use super::letters::{self, Letter};
-use super::notes::Notes;
-use super::sides::Sides;
-use super::{
-    CreasePattern, PatternEdge, angles, cuts, faces_given, keys, orient, overrides, paper, planar, plane, sides,
-};
+use angles::Keys;
+use draft::{Draft, DraftEdge, EdgeMap, GivenAngle, Origin};
+use letters::Letter;
+use notes::Notes;
+use sides::Sides;
+
 use crate::error::{Error, ErrorCode, Place, WarningCode};
 use crate::fold::Frame;
 use crate::ids::{EdgeId, VertexId};
+use crate::pattern::crease_pattern::{CreasePattern, PatternEdge};
+use crate::pattern::{keys, plane};
 
 /// Most entries of an array: leaves room in `u32` for what is appended.
 const MOST: usize = 1 << 27;
 /// Sizes beyond ten to this power, up or down, overflow when lengths are multiplied.
 const RANGE: i32 = 100;
 
-/// Builds the pattern.
-pub(super) fn build(frame: &Frame) -> Result<CreasePattern, Error> {
+/// The cleaned pattern of a frame.
+pub(super) fn pattern(frame: &Frame) -> Result<CreasePattern, Error> {
     let mut notes = Notes::default();
     let vertices = vertices(frame, &mut notes)?;
     let edges = edges(frame, vertices.len(), &mut notes)?;

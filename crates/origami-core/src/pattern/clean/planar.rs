@@ -6,10 +6,10 @@ use super::draft::{Draft, DraftEdge, EdgeMap};
 use super::near::Near;
 use super::notes::Notes;
 use super::paper::no_paper;
-use super::places::Places;
-use super::plane::{extent, orient};
 use crate::csr::Csr;
 use crate::error::{Error, ErrorCode, Place, WarningCode};
+use crate::pattern::places::Places;
+use crate::pattern::plane::{extent, orient};
 
 /// What is nearer than this, in sizes of the pattern, touches. Files with six digits are off by as much.
 const TOUCH: f64 = 2e-6;

@@ -1,9 +1,9 @@
 //! `edges_assignment`: what the letters say.
 
-use super::Assignment;
 use super::notes::Notes;
 use crate::error::{Error, ErrorCode, Place, WarningCode};
 use crate::fold::Frame;
+use crate::pattern::crease_pattern::Assignment;
 
 /// A letter of FOLD 1.2, cuts included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,7 +14,7 @@ const STRAINED: f64 = 1e-3;
 ///
 /// At any other percentage strain is no sign: a uniform share of all angles is on no rigid path.
 #[must_use]
-pub fn frustration(model: &Model, folded: &Folded) -> Option<Warning> {
+pub fn strained_at_rest(model: &Model, folded: &Folded) -> Option<Warning> {
     if folded.percent.abs() != 100.0 || !folded.converged() {
         return None;
     }

@@ -2,10 +2,10 @@
 
 use serde_json::Value;
 
-use super::keys::FIXED;
 use super::letters::same_length;
 use crate::error::{Error, ErrorCode, Place};
 use crate::fold::Frame;
+use crate::pattern::keys::FIXED;
 
 /// One number of at least `least`, or none, for each edge.
 pub(super) fn edge_numbers(

@@ -3,10 +3,10 @@
 use super::draft::{Draft, EdgeMap};
 use super::letters::Letter;
 use super::loops::{OUTSIDE, Regions, regions};
-use super::region;
 use super::sides::{self, Sides};
 use crate::csr::Csr;
 use crate::error::{Error, ErrorCode, Place, WarningCode};
+use crate::pattern::region;
 
 /// Builds the faces of a flat draft whose edges meet at their ends only. `was` says what became of the file's own.
 pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap, was: &str) -> Result<Sides, Error> {

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use super::dihedral::angle_between;
 use super::draft::{Draft, DraftEdge, GivenAngle, Origin};
 use super::letters::Letter;
 use super::notes::Notes;
-use super::plane::area_vector;
 use super::sides::{Side, Sides};
 use crate::error::{Short, WarningCode};
+use crate::pattern::dihedral::angle_between;
+use crate::pattern::plane::area_vector;
 
 /// Angles nearer to 0, or to half a turn, than this (radians) are taken as flat, or as folded over.
 const NEARLY: f64 = 1e-6;

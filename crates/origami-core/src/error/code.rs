@@ -33,7 +33,7 @@ macro_rules! codes {
 }
 
 codes! {
-    /// What kind of error an [`Error`](super::Error) is.
+    /// The kind of an [`Error`](super::Error).
     ErrorCode {
         /// The operating system refused to read or write.
         Io = "io",
@@ -95,7 +95,7 @@ codes! {
 }
 
 codes! {
-    /// What kind of warning a [`Warning`](super::Warning) is: to mute one kind, or to treat it as an error.
+    /// The kind of a [`Warning`](super::Warning): to mute one kind, or to treat it as an error.
     WarningCode {
         /// A key by its name in FOLD 1.0.
         OldKey = "old-key",

@@ -1,5 +1,5 @@
-//! What can be wrong with an input, and what is odd about it but was put right. Both have a code, which says what kind it
-//! is, and a place: text for a person by `Display`, data for a program.
+//! Errors, for an input that cannot be used, and warnings, for one that is odd and was put right. Both have a code, which
+//! says of which kind they are, and a [`Place`]: text for a person by `Display`, data for a program.
 
 mod code;
 mod place;
@@ -20,7 +20,7 @@ pub enum Error {
     Io {
         /// The file, or `-` for a stream.
         path: String,
-        /// What the system said.
+        /// The message of the operating system.
         source: std::io::Error,
     },
     /// The text is not JSON, or a value has the wrong type.
@@ -31,7 +31,7 @@ pub enum Error {
     Invalid(Box<Invalid>),
 }
 
-/// What is in an [`Error::Syntax`].
+/// The content of an [`Error::Syntax`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Syntax {
@@ -43,7 +43,7 @@ pub struct Syntax {
     pub line: usize,
     /// The column where the parser stopped, counted in bytes.
     pub column: usize,
-    /// What the parser met and what it expected.
+    /// The text that the parser met, and the one that it expected.
     pub problem: String,
 }
 
@@ -57,7 +57,7 @@ impl fmt::Display for Syntax {
     }
 }
 
-/// What is in an [`Error::Invalid`].
+/// The content of an [`Error::Invalid`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Invalid {
@@ -65,9 +65,9 @@ pub struct Invalid {
     pub code: ErrorCode,
     /// Where it is, such as `faces_vertices[12]`.
     pub place: Place,
-    /// What is there.
+    /// The problem, in words.
     pub problem: String,
-    /// What should be there.
+    /// The values that would have been accepted, in words.
     pub expected: String,
 }
 

@@ -1,4 +1,4 @@
-//! Where in the input something is wrong or odd.
+//! Places in the input: where something is wrong or odd.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -28,7 +28,7 @@ pub enum Place {
         key: Cow<'static, str>,
         /// Which entry of the key's array; `None` for the array as a whole.
         index: Option<usize>,
-        /// What follows in the path from that entry on, such as `[0]` for the first coordinate of a vertex; mostly empty.
+        /// The path from that entry on, such as `[0]` for the first coordinate of a vertex; mostly empty.
         within: Box<str>,
     },
     /// A frame of the file as a whole: 0 is the key frame.
@@ -88,7 +88,7 @@ impl Place {
         Self::Key { frame: None, key: key.into(), index: Some(index), within: "".into() }
     }
 
-    /// The same in frame `frame` of the file, 0 being the key frame. Places that are no [`Place::Key`] stay as they are.
+    /// This place in frame `of` of the file, 0 being the key frame. Only a [`Place::Key`] changes.
     #[must_use]
     pub fn in_frame(mut self, of: usize) -> Self {
         if let Self::Key { frame, .. } = &mut self {
@@ -97,7 +97,7 @@ impl Place {
         self
     }
 
-    /// The same with the rest of the path from the entry on, such as `[0]`.
+    /// This place with the path from the entry on, such as `[0]`.
     pub(crate) fn within(mut self, path: &str) -> Self {
         if let Self::Key { within, .. } = &mut self {
             *within = path.into();

@@ -1,4 +1,4 @@
-//! What is odd about an input and was put right, or is dangerous about a scene.
+//! Warnings: of oddities in an input that were put right, and of dangers in a scene.
 
 use std::fmt;
 
@@ -25,11 +25,11 @@ use super::{Place, WarningCode};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Warning {
-    /// Which kind it is.
+    /// Its kind.
     pub code: WarningCode,
-    /// Where it is; of several the first.
+    /// Its place; where several are alike, the first of them.
     pub place: Place,
-    /// What is odd, what was done about it, and how many more of the kind there are.
+    /// The oddity, what was done about it, and how many more of its kind there are.
     pub message: String,
 }
 

@@ -56,7 +56,7 @@ pub fn animation(source: &Document, frame: usize, pattern: &CreasePattern, poses
 }
 
 impl Template {
-    /// The folded form of `pattern`, that of the template, as a FOLD document of one frame.
+    /// The folded form of `pattern`, the pattern of the template, as a FOLD document of one frame.
     ///
     /// Metadata and unknown keys of the source are kept, other frames dropped. `edges_foldAngle` are the angles reached.
     /// `origami:percent` says how far the sheet was asked to fold, where the pose knows it.

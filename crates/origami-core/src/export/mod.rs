@@ -18,7 +18,7 @@ pub use obj::write_obj;
 pub use stl::write_stl;
 pub use template::Template;
 
-/// What goes into files as their creator.
+/// The creator named in files.
 const CREATOR: &str = concat!("origami ", env!("CARGO_PKG_VERSION"));
 
 /// Names the output by `-` until `write_whole` knows better.

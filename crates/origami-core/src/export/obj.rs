@@ -12,10 +12,10 @@ use crate::pattern::CreasePattern;
 /// Writes `positions`, one for each vertex of the pattern, as a Wavefront OBJ file.
 ///
 /// Vertices and faces are those of the pattern, in its order. On a flat pattern (all z equal) each vertex has the texture
-/// coordinates of its place on the unfolded sheet, which is scaled to fit the unit square, its aspect kept.
+/// coordinates of its position on the unfolded sheet, which is scaled to fit the unit square, its aspect kept.
 ///
 /// # Errors
-/// [`Error::Invalid`] if the number of positions is not that of the vertices or one is not finite; [`Error::Io`] with
+/// [`Error::Invalid`] if the number of positions is not the number of vertices, or one is not finite; [`Error::Io`] with
 /// path `-` if writing fails.
 pub fn write_obj(writer: impl Write, pattern: &CreasePattern, positions: &[DVec3]) -> Result<(), Error> {
     if positions.len() != pattern.vertices.len() {
@@ -55,7 +55,7 @@ fn write(mut writer: impl Write, pattern: &CreasePattern, positions: &[DVec3]) -
     writer.flush()
 }
 
-/// The place of each vertex on the flat sheet, in the unit square; `None` if the sheet is not flat.
+/// The position of each vertex on the flat sheet, in the unit square; `None` if the sheet is not flat.
 fn texture_coordinates(vertices: &[DVec3]) -> Option<Vec<[f64; 2]>> {
     let low = vertices.iter().copied().reduce(DVec3::min)?;
     let high = vertices.iter().copied().reduce(DVec3::max)?;

@@ -85,7 +85,7 @@ impl<'de, S: DeserializeSeed<'de>> Visitor<'de> for Optional<S> {
     }
 }
 
-/// A place in another array. `3.0` is 3, as it is in JavaScript.
+/// An index into another array. `3.0` is 3, as it is in JavaScript.
 #[derive(Clone, Copy)]
 pub(super) struct Index;
 

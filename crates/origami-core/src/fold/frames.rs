@@ -1,4 +1,4 @@
-//! Frames: which there are, and what they inherit.
+//! Frames: how many there are, and what each inherits.
 
 use std::borrow::Cow;
 

@@ -11,23 +11,25 @@ use crate::rigid::Degree4Mode;
 
 /// A number that a generator takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Parameter {
-    /// What to call it.
+    /// Its name.
     pub name: &'static str,
     /// Its value where none is given.
     pub default: f64,
-    /// What it is, its unit and range.
+    /// Its meaning, unit and range.
     pub meaning: &'static str,
 }
 
 /// A generator.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Entry {
-    /// What to call it.
+    /// Its name.
     pub name: &'static str,
-    /// What it makes, in one line.
+    /// The pattern that it makes, in one line.
     pub summary: &'static str,
-    /// What it takes.
+    /// Its parameters.
     pub parameters: &'static [Parameter],
     make: fn(&Values<'_>) -> Result<CreasePattern, Error>,
 }

@@ -113,7 +113,7 @@ fn letters_around_small_sectors(around: &[(f64, f64)]) {
 }
 
 /// Folds the sheet flat by reflecting faces across creases, face after face; every face must agree with all its
-/// neighbours. Returns the place of each vertex.
+/// neighbours. Returns the position of each vertex.
 pub(super) fn folds_flat(pattern: &CreasePattern) -> Vec<DVec2> {
     let left = half_edges(pattern);
     let folded: HashMap<[VertexId; 2], bool> = pattern

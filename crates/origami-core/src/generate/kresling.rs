@@ -32,7 +32,7 @@ impl Default for Kresling {
 }
 
 impl Kresling {
-    /// The flat strip, one cylinder wide; its fold angles are those of the cylinder, letters seen from outside.
+    /// The flat strip, one cylinder wide; folded by its fold angles it is the cylinder; letters are seen from outside.
     ///
     /// # Errors
     /// If a count is too small, a length not positive, the twist not within -pi..pi, or the sheet too large.

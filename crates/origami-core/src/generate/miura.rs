@@ -21,7 +21,7 @@ pub struct Miura {
     pub b: f64,
     /// Acute corner of a panel. Default 60 degrees.
     pub gamma: f64,
-    /// Inclination of the panels when folded, from 0 (exclusive) to pi/2: fold angles are those of [`MiuraFold`].
+    /// Inclination of the panels when folded, from 0 (exclusive) to pi/2: [`MiuraFold`] has the fold angles.
     /// Default pi/2, folded flat: all creases fold by pi.
     pub theta: f64,
 }

@@ -30,7 +30,7 @@ impl Default for Yoshimura {
 }
 
 impl Yoshimura {
-    /// The flat strip, one cylinder wide; its fold angles are those of the cylinder, letters seen from outside.
+    /// The flat strip, one cylinder wide; folded by its fold angles it is the cylinder; letters are seen from outside.
     ///
     /// # Errors
     /// If a count is too small, a length not positive, `alpha` out of its range, or the sheet too large.

@@ -1,4 +1,4 @@
-//! How far a folded sheet is from one of rigid facets, without any reference to compare it with.
+//! How far a folded sheet is from one with rigid facets, with no other state to compare it with.
 
 use glam::DVec3;
 

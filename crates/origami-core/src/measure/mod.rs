@@ -1,5 +1,5 @@
-//! What can be said of a state: strain, energy, angles, distance from another state. Nothing here is computed unless
-//! asked for.
+//! Measures of a state: strain, energy, fold angles, closure of its vertices, distance from another state. None is computed
+//! unless it is called for.
 
 mod alignment;
 mod angles;

@@ -8,6 +8,7 @@ use crate::model::Model;
 
 /// Engineering strain `|l / l0 - 1|`, dimensionless (0.01 is 1 %).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Strain {
     /// Over all beams.
     pub beams: Summary,
@@ -16,7 +17,7 @@ pub struct Strain {
 }
 
 impl Strain {
-    /// That of `positions`.
+    /// The strain of a sheet whose nodes are at `positions`.
     #[must_use]
     pub fn of(model: &Model, positions: &[DVec3]) -> Self {
         Self {

@@ -58,7 +58,7 @@ struct Walker<'a> {
     walks: u32,
 }
 
-/// What a walk found.
+/// The result of a walk.
 struct Walk {
     depth: usize,
     /// A node of the last level, the one with the fewest neighbours.

@@ -5,6 +5,7 @@ use crate::ids::{EdgeId, NodeId, SideId, TriangleId, VertexId};
 
 /// A side of the triangulation: a beam, and a crease where two triangles meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Side {
     /// Its ends, nodes 3 and 4 of a crease: the first triangle, counterclockwise, runs from the first to the second.
     pub nodes: [NodeId; 2],
@@ -79,8 +80,8 @@ fn side(
             Mention::Triangle { triangle, corner } => {
                 let corners = &triangles[triangle as usize];
                 let ends = ends_of(corners, corner);
-                let place = usize::from(side.triangles[0].is_some());
-                if place == 0 {
+                let hand = usize::from(side.triangles[0].is_some());
+                if hand == 0 {
                     side.nodes = ends;
                 } else if side.triangles[1].is_some() || side.nodes == ends {
                     return Err((
@@ -89,8 +90,8 @@ fn side(
                         "at most one triangle on each side",
                     ));
                 }
-                side.triangles[place] = Some(TriangleId(triangle));
-                side.apexes[place] = Some(corners[usize::from(corner)]);
+                side.triangles[hand] = Some(TriangleId(triangle));
+                side.apexes[hand] = Some(corners[usize::from(corner)]);
             }
         }
     }
@@ -103,7 +104,7 @@ fn ends_of(corners: &[NodeId; 3], corner: u8) -> [NodeId; 2] {
     [corners[(c + 1) % 3], corners[(c + 2) % 3]]
 }
 
-/// The same for both directions.
+/// The ends in ascending order: one key for both directions.
 fn key([a, b]: [NodeId; 2]) -> [NodeId; 2] {
     if a <= b { [a, b] } else { [b, a] }
 }

@@ -9,12 +9,13 @@ use glam::{DVec2, DVec3};
 use crate::error::{Error, ErrorCode, Place};
 use crate::ids::{FaceId, VertexId};
 use crate::pattern::CreasePattern;
-use crate::pattern::places::Places;
 use crate::pattern::plane::{Plane, SLIVER, area_vector, flatness, unit_scale};
+use crate::pattern::point_grid::PointGrid;
 use crate::pattern::region::{self, Fault};
 
 /// The faces of a pattern in triangles, in the order of the faces.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Triangulation {
     /// Corners, in the orientation of the face.
     pub triangles: Vec<[VertexId; 3]>,
@@ -24,7 +25,7 @@ pub struct Triangulation {
 
 /// Diagonals as long as each other but for this share are a tie.
 const TIE: f64 = 1e-9;
-/// Corners nearer than this, in sizes of the pattern, are at one place (the two lips of a slit).
+/// Corners nearer than this, in sizes of the pattern, are at one position (the two lips of a slit).
 const ONE_PLACE: f64 = 1e-12;
 /// Faces smaller than this, in squared sizes, have no area.
 const SMALLEST: f64 = 1e-14;
@@ -105,18 +106,18 @@ fn polygon(corners: &[DVec3], flat: bool) -> Result<Vec<Corners>, Fault> {
     }
     let plane = Plane::new(normal, flat);
     let mut points: Vec<DVec2> = corners.iter().map(|&corner| plane.project(corner)).collect();
-    let mut places = Places::new(points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p)), ONE_PLACE, points.len());
+    let mut grid = PointGrid::new(points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p)), ONE_PLACE, points.len());
     for corner in 0..points.len() {
-        match places.find(points[corner]) {
+        match grid.find(points[corner]) {
             Some(first) => points[corner] = points[first as usize],
-            None => places.insert(corner as u32, points[corner]),
+            None => grid.insert(corner as u32, points[corner]),
         }
     }
     region::triangulate(&[points])
 }
 
 /// Whether each side of the face is a side of a triangle. It is not where parts of a face hang together by two vertices
-/// at one place.
+/// at one position.
 fn has_all_sides(face: &[VertexId], triangles: &[Corners]) -> bool {
     let sides: HashSet<[VertexId; 2]> = triangles
         .iter()

@@ -6,8 +6,9 @@ use super::plane::{extent, is_flat};
 use crate::error::Warning;
 use crate::ids::{EdgeId, VertexId};
 
-/// What a line of the pattern is (FOLD's `edges_assignment`; paper section 2.1).
+/// The kind of a line of the pattern (FOLD's `edges_assignment`; paper section 2.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Assignment {
     /// `B`: one side is not paper. Cut edges (`C`) become pairs of these.
     Boundary,
@@ -45,11 +46,12 @@ pub struct PatternEdge {
     pub vertices: [VertexId; 2],
     /// Its letter.
     pub assignment: Assignment,
-    /// Fold angle at 100 %, in radians, valley positive. `None`: nothing drives it (free, or no crease at all).
+    /// Target fold angle at 100 %, in radians, valley positive. `None`: nothing drives it (free, or no crease at all).
     pub fold_angle: Option<f64>,
-    /// Crease stiffness per unit of length in place of the material's (`edges_origami:k_crease`; dimensionless, as `k_fold`).
+    /// Crease stiffness in place of the material's (`edges_origami:k_crease`): as `k_fold` a moment per radian and per unit
+    /// of length, that is a force per radian.
     pub k_crease: Option<f64>,
-    /// Axial rigidity in place of the material's (`edges_origami:ea`; as `ea`).
+    /// Axial rigidity in place of the material's (`edges_origami:ea`): as `ea` a force.
     pub ea: Option<f64>,
     /// The edge that stands for this one, where the file has it twice (or it vanished in a merge).
     pub alias_of: Option<EdgeId>,
@@ -60,12 +62,12 @@ pub struct PatternEdge {
 pub struct CreasePattern {
     /// Positions at rest, in the file's unit of length. All rest lengths and angles come from these.
     pub vertices: Vec<DVec3>,
-    /// The vertex that stands for this one, where several lay at one place and were merged.
+    /// The vertex that stands for this one, where several lay at one point and were merged.
     pub alias_of: Vec<Option<VertexId>>,
     /// Lettered edges.
     pub edges: Vec<PatternEdge>,
     /// Polygons, counterclockwise seen from the side that letters and angles are meant for. No two corners of one face
-    /// at one place, except where a slit or dangling crease makes its loop touch itself.
+    /// at one point, except where a slit or dangling crease makes its loop touch itself.
     pub faces: Vec<Vec<VertexId>>,
     /// Vertices that do not move (`vertices_origami:fixed`).
     pub fixed: Vec<VertexId>,
@@ -73,7 +75,7 @@ pub struct CreasePattern {
     pub vertices_in_file: usize,
     /// How many edges the file has; later ones were added.
     pub edges_in_file: usize,
-    /// What was odd in the file and put right.
+    /// Oddities of the file that were put right.
     pub warnings: Vec<Warning>,
 }
 

@@ -1,6 +1,6 @@
 //! Keys of our own in FOLD files, all optional.
 
-/// For each edge the stiffness of its crease per unit of length in place of the material's, or `null`.
+/// For each edge the stiffness of its crease in place of the material's (a force per radian), or `null`.
 pub const K_CREASE: &str = "edges_origami:k_crease";
 /// For each edge its axial rigidity in place of the material's, or `null`.
 pub const EA: &str = "edges_origami:ea";

@@ -7,8 +7,8 @@ mod clean;
 mod crease_pattern;
 mod dihedral;
 pub mod keys;
-pub(crate) mod places;
 pub(crate) mod plane;
+pub(crate) mod point_grid;
 mod read;
 pub(crate) mod region;
 

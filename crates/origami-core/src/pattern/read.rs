@@ -8,7 +8,7 @@ use crate::fold::{Document, Frame};
 impl CreasePattern {
     /// The crease pattern that `frame` describes, with parents already resolved.
     ///
-    /// What files get wrong is put right, each time with a [`Warning`] that names the place, or refused:
+    /// Mistakes in the file are put right, each kind with a [`Warning`] that names the first place, or refused:
     /// - Letters: lower case is accepted, an unknown letter counts as `U`. Without letters they follow from the fold
     ///   angles; an edge of one face is boundary. A letter other than `B` on the contour becomes `B`.
     /// - Angles: without them M folds to -180 degrees, V to 180, F and J to 0. A `null` is a free crease. On a sheet that
@@ -25,7 +25,7 @@ impl CreasePattern {
         clean::pattern(frame)
     }
 
-    /// The crease pattern in a FOLD file: that of its first frame with vertex positions. Needs the feature `files`.
+    /// The crease pattern in the first frame of a FOLD file that has vertex positions. Needs the feature `files`.
     ///
     /// To write a FOLD file that keeps what else is in this one, read the [`Document`] first and take
     /// [`from_document`](Self::from_document).

@@ -1,4 +1,4 @@
-//! Where single precision ends: stiff parts whose rounding moves soft ones farther than the tolerance.
+//! The limits of single precision: stiff parts whose rounding moves soft ones farther than the tolerance.
 
 use crate::error::{Place, Warning, WarningCode};
 use crate::ids::NodeId;
@@ -58,7 +58,7 @@ fn rounding(model: &Model) -> Vec<f64> {
     squares.into_iter().map(f64::sqrt).collect()
 }
 
-/// Of both apexes above the crease, at rest.
+/// The heights of both apexes above the crease, at rest.
 fn heights(model: &Model, nodes: [NodeId; 4]) -> [f64; 2] {
     let [first, second, from, to] = nodes.map(|node| model.rest[node.index()]);
     let along = (to - from).normalize_or_zero();

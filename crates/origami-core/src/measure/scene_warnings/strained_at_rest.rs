@@ -1,4 +1,4 @@
-//! Sheets that could not do what they were asked to.
+//! Sheets that come to rest strained.
 
 use crate::error::{Place, Warning, WarningCode};
 use crate::measure::{Strain, angle_error};

@@ -38,7 +38,7 @@ pub(super) struct DraftEdge {
     pub(super) origin: Origin,
 }
 
-/// What `edges_foldAngle` says of an edge.
+/// The entry of an edge in `edges_foldAngle`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum GivenAngle {
     /// There is no such key.
@@ -49,7 +49,7 @@ pub(super) enum GivenAngle {
     Degrees(f64),
 }
 
-/// What an edge was made from.
+/// The origin of an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Origin {
     /// An edge of the file, or a piece of it.
@@ -89,7 +89,7 @@ impl DraftEdge {
 pub(super) struct EdgeMap(Csr<(u32, u32)>);
 
 impl EdgeMap {
-    /// That of `edges`, numbered from 0; of those with the same ends the first counts.
+    /// The map of `edges`, numbered from 0; of edges with the same ends the first counts.
     pub(super) fn new(vertices: usize, edges: &[DraftEdge]) -> Self {
         let ends = edges.iter().zip(0..).filter(|(edge, _)| edge.alias.is_none());
         let mut rows = Csr::from_entries(

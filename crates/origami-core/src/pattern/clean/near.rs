@@ -18,7 +18,7 @@ pub(super) struct Near<'a> {
     points: &'a [DVec2],
     lines: &'a [[u32; 2]],
     touch: f64,
-    /// What is in the tree: a line, or a hub with its lines.
+    /// The items of the tree: a line, or a hub with its lines.
     items: Vec<Item>,
     bounds: Vec<Bounds>,
     tree: BoxTree,
@@ -34,7 +34,7 @@ enum Item {
 }
 
 impl<'a> Near<'a> {
-    /// Of `lines`, given by their ends among `points`. What is nearer than `touch` is near.
+    /// A search over `lines`, given by their ends among `points`. Lines at a distance below `touch` are near.
     pub(super) fn new(points: &'a [DVec2], lines: &'a [[u32; 2]], touch: f64) -> Self {
         let rings = Rings::new(points, lines.iter().copied().map(Some));
         let valence = |v: u32| rings.at(v as usize).len();

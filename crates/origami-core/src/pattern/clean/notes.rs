@@ -10,7 +10,7 @@ pub(super) struct Notes(Vec<Note>);
 struct Note {
     code: WarningCode,
     place: Place,
-    /// What stands at the first place; empty where the message needs it not.
+    /// The value at the first place; empty where the message does not need it.
     detail: String,
     message: String,
     more: usize,
@@ -28,7 +28,7 @@ impl Notes {
         self.add_with(code, message, || (Place::entry(key, index), String::new()));
     }
 
-    /// Notes that something of kind `code` was met; `first` gives the place and what stands there, and is called for the
+    /// Notes that something of kind `code` was met; `first` gives the place and the value there, and is called for the
     /// first one only.
     pub(super) fn add_with(&mut self, code: WarningCode, message: &str, first: impl FnOnce() -> (Place, String)) {
         if let Some(note) = self.0.iter_mut().find(|note| note.code == code) {

@@ -8,10 +8,10 @@ use super::notes::Notes;
 use super::paper::no_paper;
 use crate::csr::Csr;
 use crate::error::{Error, ErrorCode, Place, WarningCode};
-use crate::pattern::places::Places;
 use crate::pattern::plane::{extent, orient};
+use crate::pattern::point_grid::PointGrid;
 
-/// What is nearer than this, in sizes of the pattern, touches. Files with six digits are off by as much.
+/// Points and lines nearer than this, in sizes of the pattern, touch. Files with six digits are off by as much.
 const TOUCH: f64 = 2e-6;
 /// Splitting a line moves it by as much, so that it may meet others: then there is another round.
 const ROUNDS: usize = 32;
@@ -74,7 +74,7 @@ struct Graph {
     /// `TOUCH` in the unit of the points.
     touch: f64,
     points: Vec<DVec2>,
-    places: Places,
+    grid: PointGrid,
     /// The two edges at whose crossing each further point lies.
     crossings: Vec<[u32; 2]>,
 }
@@ -84,18 +84,18 @@ impl Graph {
         let points: Vec<_> = draft.points.iter().map(|p| p.truncate()).collect();
         let origin = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
         let touch = TOUCH * extent(&draft.points).max_element();
-        let mut places = Places::new(origin, touch, points.len());
+        let mut grid = PointGrid::new(origin, touch, points.len());
         for (index, &point) in points.iter().enumerate() {
-            if let Some(first) = places.find(point) {
+            if let Some(first) = grid.find(point) {
                 draft.vertex_alias[index] = Some(first);
                 draft.fixed[first as usize] |= draft.fixed[index];
                 let message = "lies on another vertex; the two are one";
                 draft.notes.add(WarningCode::VerticesMerged, "vertices_coords", index, message);
             } else {
-                places.insert(index as u32, point);
+                grid.insert(index as u32, point);
             }
         }
-        Self { touch, points, places, crossings: Vec::new() }
+        Self { touch, points, grid, crossings: Vec::new() }
     }
 
     fn ends(&self, piece: &Piece) -> [DVec2; 2] {
@@ -193,9 +193,9 @@ impl Graph {
     }
 
     fn vertex_at(&mut self, point: DVec2, crossing: [u32; 2]) -> u32 {
-        self.places.find(point).unwrap_or_else(|| {
+        self.grid.find(point).unwrap_or_else(|| {
             let id = self.points.len() as u32;
-            self.places.insert(id, point);
+            self.grid.insert(id, point);
             self.points.push(point);
             self.crossings.push(crossing);
             id
@@ -228,7 +228,7 @@ fn note_touching(notes: &mut Notes, in_file: usize, pieces: &[Piece], splits: &[
 }
 
 /// The first of all pieces that have the same ends, and which of these stands for each piece. Pieces on each other meet
-/// others in the same places: they need not be looked at one by one, let alone be compared.
+/// others at the same points: they need not be looked at one by one, let alone be compared.
 fn different(pieces: &[Piece]) -> (Vec<Piece>, Vec<u32>) {
     let ends = |i: u32| {
         let [a, b] = pieces[i as usize].ends;

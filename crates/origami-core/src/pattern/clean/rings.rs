@@ -10,17 +10,17 @@ pub(super) const NONE: u32 = u32::MAX;
 /// Half `2 l` of a line `l` leaves its first end, half `2 l + 1` its second.
 #[derive(Debug)]
 pub(super) struct Rings {
-    /// The vertex that each half leaves; none of lines that are left out.
+    /// The vertex that each half leaves; [`NONE`] for lines that are left out.
     pub(super) origin: Vec<u32>,
     /// Halves that leave each vertex, counterclockwise from direction -pi.
     around: Csr<u32>,
-    /// The place of each half in its row of `around`.
+    /// The index of each half in its row of `around`.
     rank: Vec<u32>,
     direction: Vec<f64>,
 }
 
 impl Rings {
-    /// Of lines between `points`, given by their ends; `None` is left out.
+    /// The rings of lines between `points`, given by their ends; `None` is left out.
     pub(super) fn new(points: &[DVec2], lines: impl ExactSizeIterator<Item = Option<[u32; 2]>>) -> Self {
         let mut origin = vec![NONE; 2 * lines.len()];
         let mut direction = vec![0.0; origin.len()];
@@ -51,10 +51,10 @@ impl Rings {
         self.around.row(vertex)
     }
 
-    /// The half so many places after `half`, counterclockwise around its vertex.
-    pub(super) fn turned(&self, half: u32, places: usize) -> u32 {
+    /// The half that comes `steps` halves after `half`, counterclockwise around its vertex.
+    pub(super) fn turned(&self, half: u32, steps: usize) -> u32 {
         let row = self.at(self.origin[half as usize] as usize);
-        row[(self.rank[half as usize] as usize + places) % row.len()]
+        row[(self.rank[half as usize] as usize + steps) % row.len()]
     }
 
     /// The halves that leave a vertex in directions within `angle` of `direction`.

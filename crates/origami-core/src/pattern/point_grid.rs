@@ -1,4 +1,4 @@
-//! Which point is already at a place: a grid of cells, each a few tolerances wide.
+//! Finds the point that is already at a position: a grid of cells, each a few tolerances wide.
 
 use std::collections::HashMap;
 
@@ -6,7 +6,7 @@ use glam::DVec2;
 
 /// Points of the plane that are told apart only when farther than a tolerance.
 #[derive(Debug)]
-pub(crate) struct Places {
+pub(crate) struct PointGrid {
     origin: DVec2,
     tolerance: f64,
     /// First point of each cell; the others follow by `next`.
@@ -25,7 +25,7 @@ const NONE: u32 = u32::MAX;
 /// Cells this many tolerances wide: a point seldom has to look into more than one.
 const CELL: f64 = 16.0;
 
-impl Places {
+impl PointGrid {
     pub(crate) fn new(origin: DVec2, tolerance: f64, capacity: usize) -> Self {
         let cells = HashMap::with_capacity(capacity);
         Self { origin, tolerance, cells, entries: Vec::with_capacity(capacity) }

@@ -11,7 +11,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use origami::export::{Stage, folded_form};
+use origami::export::{Pose, folded_form};
 use origami::fold::Document;
 use origami::solve::{Folded, Stop};
 use origami::{CreasePattern, Material, Model, State};
@@ -43,8 +43,8 @@ fn files(c: &mut Criterion) {
             });
             group.bench_function(BenchmarkId::new("write", size), |b| {
                 b.iter(|| {
-                    let stage = Stage::of(&model, &pattern, &folded);
-                    let folded = folded_form(&document, frame, &pattern, &stage).expect("a stage of this sheet");
+                    let pose = Pose::of(&model, &pattern, &folded);
+                    let folded = folded_form(&document, frame, &pattern, &pose).expect("a pose of this sheet");
                     black_box(folded.to_string().expect("finite numbers"))
                 });
             });

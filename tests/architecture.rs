@@ -10,18 +10,21 @@ const SHADERS: &str = "shaders/src";
 const STUDY: &str = "crates/origami-study/src";
 
 /// Each module of the core, and those that it may use.
-const MAY_USE: [(&str, &[&str]); 12] = [
-    ("error", &[]),
+const MAY_USE: [(&str, &[&str]); 15] = [
+    ("csr", &[]),
     ("ids", &[]),
+    ("error", &["ids"]),
     ("fold", &["error"]),
-    ("pattern", &["error", "fold", "ids"]),
-    ("generate", &["error", "ids", "pattern"]),
-    ("mesh", &["error", "ids", "pattern"]),
-    ("model", &["error", "ids", "mesh", "pattern"]),
+    ("pattern", &["csr", "error", "fold", "ids"]),
+    ("parallel", &[]),
+    ("rigid", &[]),
+    ("generate", &["error", "ids", "pattern", "rigid"]),
+    ("mesh", &["csr", "error", "ids", "pattern"]),
+    ("model", &["error", "ids", "mesh", "parallel", "pattern"]),
     ("forces", &["ids", "model"]),
-    ("kernel", &["forces", "ids", "model"]),
-    ("solve", &["error", "forces", "ids", "kernel", "model"]),
-    ("measure", &["error", "forces", "generate", "ids", "mesh", "model", "pattern", "solve"]),
+    ("kernel", &["forces", "ids", "model", "parallel"]),
+    ("solve", &["error", "forces", "ids", "kernel", "model", "parallel"]),
+    ("measure", &["error", "forces", "ids", "mesh", "model", "pattern", "rigid", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "solve"]),
 ];
 
@@ -64,6 +67,15 @@ const NOT_IN: [(&str, &str, &str); 20] = [
     ("crates/origami-core/src/mesh/sides.rs", "DVec3", "topology knows no positions"),
 ];
 
+/// Text that stands in no file of the core but those, which are left out without a feature.
+const ONLY_IN: [(&str, &[&str]); 5] = [
+    ("rayon", &["parallel/pool.rs"]),
+    ("std::thread", &[]),
+    ("Instant", &["kernel/team.rs"]),
+    ("std::fs", &["export/atomic.rs", "fold/read.rs"]),
+    ("tempfile", &["export/atomic.rs"]),
+];
+
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
@@ -85,9 +97,15 @@ fn files(path: &Path, extension: &str) -> Vec<PathBuf> {
     below.filter(|file| file.extension().is_some_and(|own| own == extension)).collect()
 }
 
+/// Whether a file holds tests alone, which may use what they like.
+fn of_tests(file: &Path) -> bool {
+    let within = file.strip_prefix(root()).unwrap_or(file);
+    file.ends_with("tests.rs") || within.components().any(|part| part.as_os_str() == "tests")
+}
+
 /// The lines of code before the tests, without comments.
 fn code(text: &str) -> impl Iterator<Item = &str> {
-    let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let code = text.split("\nmod tests {").next().unwrap_or_default();
     code.lines().map(|line| line.split("//").next().unwrap_or_default())
 }
 
@@ -133,11 +151,6 @@ fn modules_use_what_they_may() {
     for (module, _) in MAY_USE {
         let folder = root().join(CORE).join(module);
         let files = sources(&if folder.is_dir() { folder } else { folder.with_extension("rs") });
-        // A module's tests may use what they like.
-        let of_tests = |file: &Path| {
-            let within = file.strip_prefix(root()).unwrap_or(file);
-            file.ends_with("tests.rs") || within.components().any(|part| part.as_os_str() == "tests")
-        };
         for file in files.into_iter().filter(|file| !of_tests(file)) {
             let found = forbidden(module, &fs::read_to_string(&file).expect("UTF-8"));
             assert!(found.is_empty(), "{} uses {found:?}; {module} may not", file.display());
@@ -175,6 +188,21 @@ fn folders_hold_nothing_that_they_should_not() {
     }
     let library = fs::read_to_string(root().join(CORE).join("lib.rs")).expect("UTF-8");
     assert!(library.contains("#![forbid(unsafe_code)]"));
+}
+
+/// Without its features `parallel` and `files` the core shall run where there are no threads, no files and no clock.
+#[test]
+fn threads_files_and_clocks_stay_behind_their_features() {
+    for (word, files) in ONLY_IN {
+        let mut found: Vec<String> = Vec::new();
+        for file in sources(&root().join(CORE)).iter().filter(|file| !of_tests(file)) {
+            if code(&fs::read_to_string(file).expect("UTF-8")).any(|line| line.contains(word)) {
+                let within = file.strip_prefix(root().join(CORE)).expect("below it");
+                found.push(within.to_str().expect("UTF-8").replace('\\', "/"));
+            }
+        }
+        assert_eq!(found, files, "{word}");
+    }
 }
 
 /// Names of shaders that call what some adapters are bad at.

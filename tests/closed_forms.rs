@@ -6,12 +6,10 @@ mod common;
 use origami::scene::Scene;
 use origami::solve::unwatched;
 use common::model;
-use origami::generate::closed_form::{
-    Degree4Mode, KreslingFold, YoshimuraFold, degree4, loop_closure, waterbomb_polar,
-};
 use origami::generate::{Degree4, Kresling, Miura, SingleCrease, WaterbombVertex, Yoshimura};
 use origami::glam::DVec3;
 use origami::measure::{align, closures, edge_fold_angles};
+use origami::rigid::{Degree4Mode, KreslingFold, YoshimuraFold, degree4, loop_closure, waterbomb_polar};
 use origami::{CreasePattern, Folded, Model, Relax, Solver, State};
 
 /// A solver, and what is asked of it.

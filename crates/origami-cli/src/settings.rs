@@ -179,10 +179,10 @@ impl SolvingArgs {
 }
 
 /// What is dangerous about folding `model` so far. On a GPU, which computes in single precision, the tolerance counts too.
-pub(crate) fn dangers(model: &Model, percents: &[f64], on_gpu: Option<f64>) -> Vec<Warning> {
-    let mut dangers = measure::dangers(model, percents);
-    dangers.extend(on_gpu.and_then(|tolerance| measure::single_precision(model, tolerance)));
-    dangers
+pub(crate) fn scene_warnings(model: &Model, percents: &[f64], on_gpu: Option<f64>) -> Vec<Warning> {
+    let mut warnings = measure::scene_warnings(model, percents);
+    warnings.extend(on_gpu.and_then(|tolerance| measure::single_precision(model, tolerance)));
+    warnings
 }
 
 /// What is allowed but odd about the arguments.

@@ -9,7 +9,7 @@ macro_rules! ids {
         pub struct $name(pub u32);
 
         impl $name {
-            /// The id of place `index` in an array.
+            /// The id of the element at `index` of its array.
             ///
             /// # Panics
             /// If `index` does not fit in `u32`; readers refuse files of that size.
@@ -18,7 +18,7 @@ macro_rules! ids {
                 Self(u32::try_from(index).expect("more than 2^32 elements"))
             }
 
-            /// Its place in an array.
+            /// The index in an array.
             #[must_use]
             pub const fn index(self) -> usize {
                 self.0 as usize

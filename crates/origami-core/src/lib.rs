@@ -4,6 +4,7 @@
 //! [`solve`] → [`measure`] → [`export`]. [`generate`] makes patterns without a file.
 #![forbid(unsafe_code)]
 
+pub mod csr;
 pub mod error;
 pub mod export;
 pub mod fold;
@@ -14,7 +15,9 @@ mod kernel;
 pub mod measure;
 pub mod mesh;
 pub mod model;
+mod parallel;
 pub mod pattern;
+pub mod rigid;
 pub mod scene;
 pub mod solve;
 #[doc(hidden)]

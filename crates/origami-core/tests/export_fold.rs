@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use origami_core::CreasePattern;
-use origami_core::export::{Stage, animation, crease_pattern_document, folded_form};
+use origami_core::export::{Pose, animation, crease_pattern_document, folded_form};
 use origami_core::fold::Document;
 use origami_core::ids::{EdgeId, VertexId};
 use origami_core::pattern::{Assignment, PatternEdge};
@@ -54,9 +54,9 @@ fn square() -> CreasePattern {
     }
 }
 
-fn stage(pattern: &CreasePattern, percent: f64, degrees: f64) -> Stage {
-    Stage {
-        percent,
+fn pose(pattern: &CreasePattern, percent: f64, degrees: f64) -> Pose {
+    Pose {
+        percent: Some(percent),
         positions: pattern.vertices.iter().map(|p| DVec3::new(p.x, p.y, p.x * percent / 100.0)).collect(),
         fold_angles: pattern.edges.iter().map(|edge| edge.fold_angle.map(|_| degrees.to_radians())).collect(),
     }
@@ -76,7 +76,7 @@ fn reread(document: &Document) -> Document {
 #[test]
 fn the_folded_form_keeps_what_the_source_says() {
     let pattern = square();
-    let document = reread(&folded_form(&source(), 0, &pattern, &stage(&pattern, 50.0, -29.5)).expect("a document"));
+    let document = reread(&folded_form(&source(), 0, &pattern, &pose(&pattern, 50.0, -29.5)).expect("a document"));
     assert_eq!(document.spec, Some(json!(1.2)));
     assert_eq!(document.metadata["file_creator"], concat!("origami ", env!("CARGO_PKG_VERSION")));
     assert_eq!(document.metadata["file_author"], "a person");
@@ -108,7 +108,7 @@ fn the_folded_form_keeps_what_the_source_says() {
 fn arrays_that_no_longer_hold_are_dropped() {
     let mut pattern = square();
     pattern.faces[0].reverse();
-    let document = folded_form(&source(), 0, &pattern, &stage(&pattern, 50.0, 0.0)).expect("a document");
+    let document = folded_form(&source(), 0, &pattern, &pose(&pattern, 50.0, 0.0)).expect("a document");
     let keys = |document: &Document| {
         let has = |key: &&str| document.key_frame.extra.contains_key(*key);
         ["vertices_vertices", "faces_edges", "faceOrders", "edges_a:b"].into_iter().filter(has).collect::<Vec<_>>()
@@ -118,7 +118,7 @@ fn arrays_that_no_longer_hold_are_dropped() {
     pattern.vertices.push(DVec3::X);
     pattern.alias_of.push(None);
     pattern.fixed = vec![VertexId(4)];
-    let document = folded_form(&source(), 0, &pattern, &stage(&pattern, 50.0, 0.0)).expect("a document");
+    let document = folded_form(&source(), 0, &pattern, &pose(&pattern, 50.0, 0.0)).expect("a document");
     assert_eq!(keys(&document), ["edges_a:b"], "a vertex added");
     assert_eq!(document.key_frame.extra["vertices_origami:fixed"], json!([false, false, false, false, true]));
 }
@@ -128,9 +128,9 @@ fn merged_vertices_are_where_their_stand_in_is() {
     let mut pattern = square();
     pattern.vertices.push(pattern.vertices[2]);
     pattern.alias_of.push(Some(VertexId(2)));
-    let mut stage = stage(&pattern, 10.0, 0.0);
-    stage.positions[4] = DVec3::splat(9.0);
-    let document = folded_form(&source(), 0, &pattern, &stage).expect("a document");
+    let mut pose = pose(&pattern, 10.0, 0.0);
+    pose.positions[4] = DVec3::splat(9.0);
+    let document = folded_form(&source(), 0, &pattern, &pose).expect("a document");
     let points = document.key_frame.vertices_coords.expect("coordinates");
     assert_eq!(points[4], points[2]);
 }
@@ -138,12 +138,12 @@ fn merged_vertices_are_where_their_stand_in_is() {
 #[test]
 fn angles_beyond_180_degrees_are_kept_apart() {
     let pattern = square();
-    let document = folded_form(&source(), 0, &pattern, &stage(&pattern, 100.0, -190.0)).expect("a document");
+    let document = folded_form(&source(), 0, &pattern, &pose(&pattern, 100.0, -190.0)).expect("a document");
     assert_eq!(document.key_frame.edges_fold_angle.expect("angles")[4], Some(-180.0));
     assert_eq!(document.key_frame.extra["edges_origami:foldAngle"], json!([0, 0, 0, 0, -190, -190]));
 
     // Exactly 180 degrees are not beyond.
-    let mut flat = stage(&pattern, 100.0, 0.0);
+    let mut flat = pose(&pattern, 100.0, 0.0);
     flat.fold_angles[4] = Some(-PI);
     let document = folded_form(&source(), 0, &pattern, &flat).expect("a document");
     assert!(!document.key_frame.extra.contains_key("edges_origami:foldAngle"));
@@ -153,17 +153,17 @@ fn angles_beyond_180_degrees_are_kept_apart() {
 #[test]
 fn another_frame_becomes_the_key_frame() {
     let pattern = square();
-    let document = folded_form(&source(), 1, &pattern, &stage(&pattern, 0.0, 0.0)).expect("a document");
+    let document = folded_form(&source(), 1, &pattern, &pose(&pattern, 0.0, 0.0)).expect("a document");
     assert_eq!(document.key_frame.extra["frame_title"], "other");
     assert_eq!((document.key_frame.parent, document.key_frame.inherit), (None, false));
-    assert!(folded_form(&source(), 2, &pattern, &stage(&pattern, 0.0, 0.0)).is_err());
+    assert!(folded_form(&source(), 2, &pattern, &pose(&pattern, 0.0, 0.0)).is_err());
 }
 
 #[test]
 fn an_animation_inherits_from_the_crease_pattern() {
     let pattern = square();
-    let stages = [stage(&pattern, 25.0, -15.0), stage(&pattern, 62.5, -200.0)];
-    let document = reread(&animation(&source(), 0, &pattern, &stages).expect("a document"));
+    let poses = [pose(&pattern, 25.0, -15.0), pose(&pattern, 62.5, -200.0)];
+    let document = reread(&animation(&source(), 0, &pattern, &poses).expect("a document"));
     assert_eq!(document.classes, ["x:y", "animation"]);
     assert_eq!(document.frame_count(), 3);
     let rest = &document.key_frame;
@@ -172,13 +172,13 @@ fn an_animation_inherits_from_the_crease_pattern() {
     assert_eq!(rest.edges_fold_angle, Some([0.0, 0.0, 0.0, 0.0, -60.0, -60.0].map(Some).to_vec()));
     assert_eq!(rest.extra["frame_attributes"], json!(["2D", "orientable"]));
 
-    for (index, stage) in (1..).zip(&stages) {
+    for (index, pose) in (1..).zip(&poses) {
         let written = &document.frames[index - 1];
         assert_eq!((written.parent, written.inherit), (Some(0), true));
         assert_eq!((&written.edges_vertices, &written.faces_vertices), (&None, &None));
         // A frame of the animation says the same as the single folded form.
         let frame = document.frame(index).expect("a frame");
-        let alone = folded_form(&source(), 0, &pattern, stage).expect("a document").key_frame;
+        let alone = folded_form(&source(), 0, &pattern, pose).expect("a document").key_frame;
         assert_eq!(frame.vertices_coords, alone.vertices_coords);
         assert_eq!(frame.edges_fold_angle, alone.edges_fold_angle);
         assert_eq!(frame.edges_assignment, alone.edges_assignment);
@@ -192,22 +192,37 @@ fn an_animation_inherits_from_the_crease_pattern() {
 }
 
 #[test]
+fn a_pose_without_a_percentage_claims_none() {
+    let pattern = square();
+    let mut source = source();
+    source.key_frame.extra.insert("origami:percent".into(), json!(30));
+    let unknown = Pose { percent: None, ..pose(&pattern, 50.0, -15.0) };
+    let alone = folded_form(&source, 0, &pattern, &unknown).expect("a document");
+    assert_eq!(alone.key_frame.extra.get("origami:percent"), None);
+    let poses = [pose(&pattern, 50.0, -15.0), unknown];
+    let document = reread(&animation(&source, 0, &pattern, &poses).expect("a document"));
+    let told = [1, 2].map(|i| document.frame(i).expect("a frame").extra["origami:percent"].clone());
+    assert_eq!(told, [json!(50), json!(null)], "what the source says is not inherited");
+    assert_eq!(document.frames[1].extra["frame_title"], "pose 2");
+}
+
+#[test]
 fn a_frame_does_not_inherit_targets_beyond_180_as_angles_reached() {
     let mut pattern = square();
     pattern.edges[4].fold_angle = Some(270f64.to_radians());
-    let document = animation(&source(), 0, &pattern, &[stage(&pattern, 50.0, 90.0)]).expect("a document");
+    let document = animation(&source(), 0, &pattern, &[pose(&pattern, 50.0, 90.0)]).expect("a document");
     assert_eq!(document.key_frame.extra["edges_origami:foldAngle"][4], json!(270));
     assert_eq!(document.frame(1).expect("a frame").extra["edges_origami:foldAngle"][4], json!(90));
 }
 
 #[test]
-fn stages_must_fit_the_pattern() {
+fn poses_must_fit_the_pattern() {
     let pattern = square();
-    let mut short = stage(&pattern, 50.0, 0.0);
+    let mut short = pose(&pattern, 50.0, 0.0);
     short.positions.pop();
     let error = folded_form(&source(), 0, &pattern, &short).expect_err("too short").to_string();
-    assert!(error.starts_with("stage at 50 %: 3 positions for 4 vertices"), "{error}");
-    let mut short = stage(&pattern, 50.0, 0.0);
+    assert!(error.starts_with("pose at 50 %: 3 positions for 4 vertices"), "{error}");
+    let mut short = pose(&pattern, 50.0, 0.0);
     short.fold_angles.pop();
     assert!(animation(&source(), 0, &pattern, &[short]).is_err());
 }
@@ -243,7 +258,7 @@ fn angles_survive_the_way_to_radians_and_back() {
     let pattern = square();
     for tenths in -1800..=1800 {
         let degrees = f64::from(tenths) / 10.0;
-        let document = folded_form(&source(), 0, &pattern, &stage(&pattern, 50.0, degrees)).expect("a document");
+        let document = folded_form(&source(), 0, &pattern, &pose(&pattern, 50.0, degrees)).expect("a document");
         assert_eq!(document.key_frame.edges_fold_angle.expect("angles")[4], Some(degrees));
     }
 }

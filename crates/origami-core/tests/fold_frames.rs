@@ -1,6 +1,6 @@
 //! What frames inherit.
 
-use origami_core::fold::{Document, place};
+use origami_core::fold::Document;
 
 fn read(text: &str) -> Document {
     Document::from_slice(text.as_bytes()).unwrap_or_else(|error| panic!("{error}"))
@@ -45,7 +45,7 @@ fn a_parent_alone_is_no_inheritance() {
 fn inheritance_without_a_parent_is_from_the_key_frame_and_warned_of() {
     let document = read(FAMILY);
     assert_eq!(document.frame(4).expect("frame 4").vertices_coords, document.key_frame.vertices_coords);
-    let places: Vec<_> = document.warnings.iter().map(|warning| warning.place.as_str()).collect();
+    let places: Vec<_> = document.warnings.iter().map(|warning| warning.place.to_string()).collect();
     assert_eq!(places, ["file_frames[3].frame_inherit"]);
 }
 
@@ -115,10 +115,4 @@ fn the_frame_to_fold_is_the_first_with_coordinates() {
             None => assert!(found.expect_err(text).to_string().starts_with("vertices_coords: "), "{text}"),
         }
     }
-}
-
-#[test]
-fn places_are_as_a_reader_would_write_them() {
-    assert_eq!(place(0, "edges_vertices"), "edges_vertices");
-    assert_eq!(place(3, "edges_vertices"), "file_frames[2].edges_vertices");
 }

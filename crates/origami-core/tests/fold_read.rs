@@ -131,7 +131,7 @@ fn fold_1_0_wrote_fold_angles() {
     let old = read(r#"{"file_frames": [{"edges_foldAngles": [90, null]}]}"#);
     assert_eq!(old.frames[0].edges_fold_angle, Some(vec![Some(90.0), None]));
     assert_eq!(old.warnings.len(), 1);
-    assert_eq!(old.warnings[0].place, "file_frames[0].edges_foldAngles");
+    assert_eq!(old.warnings[0].place.to_string(), "file_frames[0].edges_foldAngles");
 
     for both in
         [r#"{"edges_foldAngle": [1], "edges_foldAngles": [2]}"#, r#"{"edges_foldAngles": [2], "edges_foldAngle": [1]}"#]

@@ -97,7 +97,7 @@ fn a_slit_of_one_edge_cannot_open() {
     let pattern = build(&grid(3, true, |a, b| [a, b] == [[1, 1], [2, 1]]));
     assert_eq!(pattern.vertices.len(), 16);
     let warning = pattern.warnings.iter().find(|w| w.message.contains("cannot open")).expect("a warning");
-    let edge: usize = warning.place["edges_assignment[".len()..].trim_end_matches(']').parse().expect("an index");
+    let edge = warning.place.edge().expect("an edge").index();
     assert_eq!(&letters(&pattern)[edge..=edge], "U");
     assert_eq!(pattern.edges[edge].fold_angle, None);
 }

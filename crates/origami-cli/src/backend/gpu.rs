@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 
 use origami::Warning;
+use origami::error::WarningCode;
 use origami::gpu::{self, AUTO_NODES, AdapterChoice, AdapterSummary, Gpu, GpuError};
 use origami::solve::Solver;
 
@@ -81,8 +82,10 @@ impl Backend {
 
     /// The processor, which is a surprise only to those who have named an adapter.
     fn passed_over(&self, method: &Method, why: &str) -> Place {
-        let warning =
-            self.named.as_ref().map(|_| Warning::new("--backend auto", format!("the processor, since {why}")));
+        let warning = self
+            .named
+            .as_ref()
+            .map(|_| Warning::new(WarningCode::Fallback, "--backend auto", format!("the processor, since {why}")));
         Place { warning, ..Place::processor(method) }
     }
 }

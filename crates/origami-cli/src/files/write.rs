@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use origami::export::{Stage, Template, write_obj, write_stl, write_whole};
+use origami::export::{Pose, Template, write_obj, write_stl, write_whole};
 use origami::fold::Document;
 use origami::ids::TriangleId;
 use origami::model::Model;
@@ -111,9 +111,9 @@ pub(crate) fn whole(
 impl Sheet<'_> {
     /// As a FOLD document that says how far each state is from the equilibrium.
     fn fold(&self) -> Result<Document, Error> {
-        let stages: Vec<Stage> = self.states.iter().map(|folded| Stage::of(self.model, self.pattern, folded)).collect();
+        let poses: Vec<Pose> = self.states.iter().map(|folded| Pose::of(self.model, self.pattern, folded)).collect();
         if self.animated {
-            let mut document = self.template.animation(self.pattern, &stages)?;
+            let mut document = self.template.animation(self.pattern, &poses)?;
             // Of an input that was folded itself.
             document.key_frame.extra.retain(|key, _| key != CONVERGED && key != DISTANCE);
             for (frame, folded) in document.frames.iter_mut().zip(self.states) {
@@ -121,8 +121,8 @@ impl Sheet<'_> {
             }
             return Ok(document);
         }
-        let (Some(stage), Some(folded)) = (stages.last(), self.states.last()) else { return Ok(Document::default()) };
-        let mut document = self.template.folded_form(self.pattern, stage)?;
+        let (Some(pose), Some(folded)) = (poses.last(), self.states.last()) else { return Ok(Document::default()) };
+        let mut document = self.template.folded_form(self.pattern, pose)?;
         mark(&mut document.key_frame.extra, folded);
         Ok(document)
     }

@@ -2,12 +2,14 @@
 
 mod adapter;
 mod measured;
+mod note;
 mod scene;
 mod sweep;
 
 pub(crate) use adapter::{Adapter, AdapterDetails};
 pub(crate) use measured::{Ending, Measured};
-pub(crate) use scene::{Note, Scene};
+pub(crate) use note::Note;
+pub(crate) use scene::Scene;
 pub(crate) use sweep::{Row, Table, Varied, write_csv, write_json};
 
 use origami::solve::{Diverged, Quantity};

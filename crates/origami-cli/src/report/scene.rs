@@ -5,6 +5,8 @@ use origami::model::{Inventory, Model};
 use origami::pattern::CreasePattern;
 use serde::Serialize;
 
+use super::Note;
+
 /// The sheet and its springs.
 #[derive(Debug, Serialize)]
 pub(crate) struct Scene {
@@ -39,19 +41,6 @@ pub(crate) struct LeftOut {
     pub(crate) what: &'static str,
     pub(crate) count: usize,
     pub(crate) why: &'static str,
-}
-
-/// A warning with its place.
-#[derive(Debug, Serialize)]
-pub(crate) struct Note {
-    place: String,
-    message: String,
-}
-
-impl From<&Warning> for Note {
-    fn from(warning: &Warning) -> Self {
-        Self { place: warning.place.clone(), message: warning.message.clone() }
-    }
 }
 
 impl From<&origami::model::LeftOut> for LeftOut {

@@ -1,6 +1,6 @@
 //! Warnings of scenes that are known to go wrong, where a person and where a program reads them.
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
@@ -17,6 +17,16 @@ fn over_folding_is_told_once() {
     assert_eq!(ran.code, 0, "{}", ran.stderr);
     assert!(ran.stderr.contains("asked to fold past 180 degrees at 120 %, up to 216.0"), "{}", ran.stderr);
     assert!(matches!(warned(&place.json("r.json"))[..], [crease] if crease.starts_with("crease ")));
+    let warning = &place.json("r.json")["warnings"][0];
+    let pattern = place.json("a.fold");
+    let edge = pattern["edges_assignment"].as_array().unwrap().iter().position(|letter| letter == "V").unwrap();
+    assert_eq!((&warning["code"], &warning["at"]["creases"][0]["edge"]), (&json!("over-folding"), &json!(edge)));
+    let mut ends: Vec<u64> =
+        warning["at"]["creases"][0]["vertices"].as_array().unwrap().iter().map(|v| v.as_u64().unwrap()).collect();
+    ends.sort_unstable();
+    let mut written = pattern["edges_vertices"][edge].as_array().unwrap().clone();
+    written.sort_by_key(Value::as_u64);
+    assert_eq!(json!(ends), Value::from(written));
     assert_eq!(place.run("fold a.fold --percent 120 --quiet -o b.fold").stderr, "");
     let ran = place.run("sweep a.fold --percent 0,90,-120 --k-fold 0.7,7 -o out");
     assert_eq!(ran.stderr.matches("past 180 degrees").count(), 1, "{}", ran.stderr);
@@ -32,7 +42,9 @@ fn what_cannot_fold_is_told_at_the_end() {
     assert_eq!(ran.code, 0, "{}", ran.stderr);
     let strained = "warning: the sheet at 100 %: comes to rest strained, ";
     assert!(ran.stderr.starts_with(strained) && ran.stderr.lines().count() == 1, "{}", ran.stderr);
-    assert_eq!(warned(&place.json("r.json")), ["the sheet at 100 %"]);
+    let report = place.json("r.json");
+    assert_eq!(warned(&report), ["the sheet at 100 %"]);
+    assert_eq!(report["warnings"][0]["at"], json!({ "percent": 100.0 }));
     place.run("fold a.fold --percent 60 -o b.fold").succeeds();
 }
 

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use origami::error::WarningCode;
 use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
@@ -110,7 +111,10 @@ fn a_tangled_sheet_is_said_to_be_so() {
         (&report["tangled"], &report["tangled_creases"], &report["attempts"]),
         (&json!(true), &json!(1), &json!(3))
     );
-    assert_eq!(report["warnings"][0]["place"], json!("edges_foldAngle[4]"));
+    let warning = &report["warnings"][0];
+    assert_eq!(warning["place"], json!("edges_foldAngle[4]"));
+    assert_eq!(warning["at"], json!({ "frame": null, "key": "edges_foldAngle", "index": 4 }));
+    assert_eq!(keys(warning), ["code", "place", "message", "at"]);
     let ran = place.run("fold square.fold -o a.fold");
     assert!(ran.stdout.contains("tangled (1 crease folded past 200 degrees), the best of 3 attempts, "));
 }
@@ -132,4 +136,13 @@ fn a_report_goes_to_standard_output_too() {
     assert!(ran.stderr.starts_with("square.fold: folded"), "the line makes room: {}", ran.stderr);
     let report: Value = serde_json::from_str(&ran.stdout).unwrap();
     assert_eq!(report["input"], json!("square.fold"));
+}
+
+#[test]
+fn every_code_of_a_warning_is_documented() {
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/REPORT.md")).unwrap();
+    let told = |name: &str| text.lines().any(|line| line.starts_with(&format!("| `{name}` | ")));
+    let untold: Vec<&str> = WarningCode::ALL.iter().map(|code| code.name()).filter(|name| !told(name)).collect();
+    assert!(untold.is_empty(), "docs/REPORT.md does not tell of {untold:?}");
+    assert!(!told("no-such-code"));
 }

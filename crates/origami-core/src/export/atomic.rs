@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 
 /// Writes a file by `content`. Until that has succeeded the file at `path` stays as it was: the new one is written
-/// beside it, brought to the disk and then renamed.
+/// beside it, brought to the disk and then renamed. Needs the feature `files`.
 ///
 /// The new file has the permissions of the old one, or those of any new file. A symbolic link stays and what it points to
 /// is replaced. What is no file (a terminal, a pipe, `/dev/null`) is written to directly.

@@ -5,19 +5,20 @@ use serde_json::{Value, json};
 
 use super::Template;
 use super::sheet::{coordinates, number, set_angles, set_topology};
-use crate::error::Error;
+use crate::error::{Error, ErrorCode};
 use crate::fold::{Coordinates, Document, Frame};
 use crate::measure::edge_fold_angles;
 use crate::model::Model;
 use crate::pattern::CreasePattern;
-use crate::pattern::keys::FOLD_ANGLE;
+use crate::pattern::keys::{FOLD_ANGLE, PERCENT};
 use crate::solve::Folded;
 
-/// Where folding got to.
+/// A folded sheet as files hold it: positions and fold angles, and how far it was asked to fold.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Stage {
-    /// How far the sheet was asked to fold: 100 is all the way.
-    pub percent: f64,
+pub struct Pose {
+    /// The percentage of all fold angles that the sheet was asked for, 100 being all the way; `None` where it was asked for
+    /// something else. Files have it as `origami:percent`.
+    pub percent: Option<f64>,
     /// The position of each vertex of the pattern, in the file's unit of length. Those that were merged into another
     /// are written where that one is, whatever stands here.
     pub positions: Vec<DVec3>,
@@ -25,12 +26,12 @@ pub struct Stage {
     pub fold_angles: Vec<Option<f64>>,
 }
 
-impl Stage {
-    /// That of a state which a solver arrived at.
+impl Pose {
+    /// The pose of a state that a solver arrived at.
     #[must_use]
     pub fn of(model: &Model, pattern: &CreasePattern, folded: &Folded) -> Self {
         Self {
-            percent: folded.percent().unwrap_or(f64::NAN),
+            percent: folded.percent(),
             positions: model.file_positions(pattern, &folded.state.positions),
             fold_angles: edge_fold_angles(model, pattern, &folded.state),
         }
@@ -40,69 +41,67 @@ impl Stage {
 /// The folded form as a FOLD document of one frame: [`Template::folded_form`] of a template that is not kept.
 ///
 /// # Errors
-/// [`Error::Invalid`] if there is no such frame, or if the stage has not one position for each vertex and one angle
+/// [`Error::Invalid`] if there is no such frame, or if the pose has not one position for each vertex and one angle
 /// for each edge.
-pub fn folded_form(source: &Document, frame: usize, pattern: &CreasePattern, stage: &Stage) -> Result<Document, Error> {
-    Template::new(source, frame, pattern)?.folded_form(pattern, stage)
+pub fn folded_form(source: &Document, frame: usize, pattern: &CreasePattern, pose: &Pose) -> Result<Document, Error> {
+    Template::new(source, frame, pattern)?.folded_form(pattern, pose)
 }
 
 /// Folding as a FOLD animation: [`Template::animation`] of a template that is not kept.
 ///
 /// # Errors
 /// As for [`folded_form`].
-pub fn animation(
-    source: &Document,
-    frame: usize,
-    pattern: &CreasePattern,
-    stages: &[Stage],
-) -> Result<Document, Error> {
-    Template::new(source, frame, pattern)?.animation(pattern, stages)
+pub fn animation(source: &Document, frame: usize, pattern: &CreasePattern, poses: &[Pose]) -> Result<Document, Error> {
+    Template::new(source, frame, pattern)?.animation(pattern, poses)
 }
 
 impl Template {
-    /// The folded form of `pattern`, that of the template, as a FOLD document of one frame.
+    /// The folded form of `pattern`, the pattern of the template, as a FOLD document of one frame.
     ///
     /// Metadata and unknown keys of the source are kept, other frames dropped. `edges_foldAngle` are the angles reached.
-    /// `origami:percent` says how far the sheet was asked to fold.
+    /// `origami:percent` says how far the sheet was asked to fold, where the pose knows it.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if the stage has not one position for each vertex and one angle for each edge.
-    pub fn folded_form(&self, pattern: &CreasePattern, stage: &Stage) -> Result<Document, Error> {
-        check(pattern, stage)?;
+    /// [`Error::Invalid`] if the pose has not one position for each vertex and one angle for each edge.
+    pub fn folded_form(&self, pattern: &CreasePattern, pose: &Pose) -> Result<Document, Error> {
+        check(pattern, pose)?;
         let mut key_frame = self.frame();
         set_topology(&mut key_frame, pattern);
-        key_frame.extra.shift_remove(FOLD_ANGLE);
+        for key in [FOLD_ANGLE, PERCENT] {
+            key_frame.extra.shift_remove(key);
+        }
         let attributes = folded_attributes(&key_frame);
         key_frame.extra.insert("frame_attributes".into(), attributes);
-        set_stage(&mut key_frame, pattern, stage);
+        set_stage(&mut key_frame, pattern, pose);
         Ok(self.document(key_frame))
     }
 
-    /// Folding as a FOLD animation: the key frame is the crease pattern at rest with the angles it was asked for; each stage
+    /// Folding as a FOLD animation: the key frame is the crease pattern at rest with the angles it was asked for; each pose
     /// is a frame that inherits from it.
     ///
     /// The rest is as for [`Template::folded_form`].
     ///
     /// # Errors
     /// As for [`Template::folded_form`].
-    pub fn animation(&self, pattern: &CreasePattern, stages: &[Stage]) -> Result<Document, Error> {
+    pub fn animation(&self, pattern: &CreasePattern, poses: &[Pose]) -> Result<Document, Error> {
         let mut key_frame = self.frame();
         set_topology(&mut key_frame, pattern);
         set_rest(&mut key_frame, pattern);
         let attributes = folded_attributes(&key_frame);
-        let stages = stages.iter().map(|stage| {
-            check(pattern, stage)?;
+        let poses = poses.iter().enumerate().map(|(i, pose)| {
+            check(pattern, pose)?;
             let mut folded = Frame { parent: Some(0), inherit: true, ..Frame::default() };
-            folded.extra.insert("frame_title".into(), format!("{} %", stage.percent).into());
+            let title = pose.percent.map_or_else(|| format!("pose {}", i + 1), |percent| format!("{percent} %"));
+            folded.extra.insert("frame_title".into(), title.into());
             folded.extra.insert("frame_attributes".into(), attributes.clone());
-            if key_frame.extra.contains_key(FOLD_ANGLE) {
-                // Without its own this frame would inherit those of the crease pattern.
-                folded.extra.insert(FOLD_ANGLE.into(), Value::Null);
+            for key in [FOLD_ANGLE, PERCENT].into_iter().filter(|key| key_frame.extra.contains_key(*key)) {
+                // Without its own this frame would inherit that of the crease pattern.
+                folded.extra.insert(key.into(), Value::Null);
             }
-            set_stage(&mut folded, pattern, stage);
+            set_stage(&mut folded, pattern, pose);
             Ok(folded)
         });
-        let frames = stages.collect::<Result<_, Error>>()?;
+        let frames = poses.collect::<Result<_, Error>>()?;
         let mut document = self.document(key_frame);
         document.classes.push("animation".into());
         document.frames = frames;
@@ -134,11 +133,13 @@ fn set_rest(frame: &mut Frame, pattern: &CreasePattern) {
     set_angles(frame, pattern, |edge| pattern.edges[edge].fold_angle);
 }
 
-fn set_stage(frame: &mut Frame, pattern: &CreasePattern, stage: &Stage) {
+fn set_stage(frame: &mut Frame, pattern: &CreasePattern, pose: &Pose) {
     frame.classes = Some(vec!["foldedForm".into()]);
-    frame.vertices_coords = Some(coordinates(pattern, &stage.positions, Coordinates::spatial));
-    frame.extra.insert("origami:percent".into(), number(stage.percent));
-    set_angles(frame, pattern, |edge| stage.fold_angles[edge]);
+    frame.vertices_coords = Some(coordinates(pattern, &pose.positions, Coordinates::spatial));
+    if let Some(percent) = pose.percent {
+        frame.extra.insert(PERCENT.into(), number(percent));
+    }
+    set_angles(frame, pattern, |edge| pose.fold_angles[edge]);
 }
 
 /// The attributes of `frame` once it is folded.
@@ -148,15 +149,16 @@ fn folded_attributes(frame: &Frame) -> Value {
     kept.chain([Value::from("3D")]).collect()
 }
 
-fn check(pattern: &CreasePattern, stage: &Stage) -> Result<(), Error> {
+fn check(pattern: &CreasePattern, pose: &Pose) -> Result<(), Error> {
     let counts = [
-        ("positions", stage.positions.len(), "vertices", pattern.vertices.len()),
-        ("fold angles", stage.fold_angles.len(), "edges", pattern.edges.len()),
+        ("positions", pose.positions.len(), "vertices", pattern.vertices.len()),
+        ("fold angles", pose.fold_angles.len(), "edges", pattern.edges.len()),
     ];
     for (what, count, of, expected) in counts {
         if count != expected {
             let problem = format!("{count} {what} for {expected} {of}");
-            return Err(Error::invalid(format!("stage at {} %", stage.percent), problem, "as many as the pattern has"));
+            let place = pose.percent.map_or_else(|| "pose".to_owned(), |percent| format!("pose at {percent} %"));
+            return Err(Error::new(ErrorCode::WrongLength, place, problem, "as many as the pattern has"));
         }
     }
     Ok(())

@@ -3,6 +3,7 @@
 //! FOLD and OBJ keep the vertices, edges and faces of the input, in its numbering and its unit of length; what the
 //! pattern added (crossings, lips of cuts) follows behind. STL holds the triangles that were simulated.
 
+#[cfg(feature = "files")]
 mod atomic;
 mod folded;
 mod obj;
@@ -10,16 +11,17 @@ mod sheet;
 mod stl;
 mod template;
 
+#[cfg(feature = "files")]
 pub use atomic::write_whole;
-pub use folded::{Stage, animation, crease_pattern_document, folded_form};
+pub use folded::{Pose, animation, crease_pattern_document, folded_form};
 pub use obj::write_obj;
 pub use stl::write_stl;
 pub use template::Template;
 
-/// What goes into files as their creator.
+/// The creator named in files.
 const CREATOR: &str = concat!("origami ", env!("CARGO_PKG_VERSION"));
 
-/// Names the output by `-` until [`write_whole`] knows better.
+/// Names the output by `-` until `write_whole` knows better.
 fn unwritable(source: std::io::Error) -> crate::Error {
     crate::Error::Io { path: "-".into(), source }
 }

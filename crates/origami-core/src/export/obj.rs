@@ -5,24 +5,26 @@ use std::io::{self, BufWriter, Write};
 use glam::DVec3;
 
 use super::{CREATOR, unwritable};
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place};
+use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
 
 /// Writes `positions`, one for each vertex of the pattern, as a Wavefront OBJ file.
 ///
 /// Vertices and faces are those of the pattern, in its order. On a flat pattern (all z equal) each vertex has the texture
-/// coordinates of its place on the unfolded sheet, which is scaled to fit the unit square, its aspect kept.
+/// coordinates of its position on the unfolded sheet, which is scaled to fit the unit square, its aspect kept.
 ///
 /// # Errors
-/// [`Error::Invalid`] if the number of positions is not that of the vertices or one is not finite; [`Error::Io`] with
+/// [`Error::Invalid`] if the number of positions is not the number of vertices, or one is not finite; [`Error::Io`] with
 /// path `-` if writing fails.
 pub fn write_obj(writer: impl Write, pattern: &CreasePattern, positions: &[DVec3]) -> Result<(), Error> {
     if positions.len() != pattern.vertices.len() {
         let problem = format!("{} positions for {} vertices", positions.len(), pattern.vertices.len());
-        return Err(Error::invalid("OBJ", problem, "as many as the pattern has"));
+        return Err(Error::new(ErrorCode::WrongLength, "OBJ", problem, "as many as the pattern has"));
     }
     if let Some(vertex) = positions.iter().position(|position| !position.is_finite()) {
-        return Err(Error::invalid(format!("vertex {vertex}"), positions[vertex].to_string(), "a finite position"));
+        let place = Place::Vertices(vec![VertexId::new(vertex)]);
+        return Err(Error::new(ErrorCode::NotFinite, place, positions[vertex].to_string(), "a finite position"));
     }
     write(BufWriter::new(writer), pattern, positions).map_err(unwritable)
 }
@@ -53,7 +55,7 @@ fn write(mut writer: impl Write, pattern: &CreasePattern, positions: &[DVec3]) -
     writer.flush()
 }
 
-/// The place of each vertex on the flat sheet, in the unit square; `None` if the sheet is not flat.
+/// The position of each vertex on the flat sheet, in the unit square; `None` if the sheet is not flat.
 fn texture_coordinates(vertices: &[DVec3]) -> Option<Vec<[f64; 2]>> {
     let low = vertices.iter().copied().reduce(DVec3::min)?;
     let high = vertices.iter().copied().reduce(DVec3::max)?;

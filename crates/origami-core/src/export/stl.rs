@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Write};
 use glam::{DVec3, Vec3};
 
 use super::{CREATOR, unwritable};
-use crate::error::Error;
+use crate::error::{Error, ErrorCode};
 
 /// Writes a binary STL file: a header of 80 bytes, the number of triangles, and for each its normal and its corners
 /// (32-bit floats, little-endian, in the unit of `positions`). Triangles without area have the normal 0.
@@ -15,17 +15,18 @@ use crate::error::Error;
 /// are more triangles than the format can count; [`Error::Io`] with path `-` if writing fails.
 pub fn write_stl(writer: impl Write, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<(), Error> {
     let count = u32::try_from(triangles.len()).map_err(|_| {
-        Error::invalid("STL", format!("{} triangles", triangles.len()), format!("at most {}", u32::MAX))
+        let (problem, expected) = (format!("{} triangles", triangles.len()), format!("at most {}", u32::MAX));
+        Error::new(ErrorCode::TooManyEntries, "STL", problem, expected)
     })?;
     for (index, triangle) in triangles.iter().enumerate() {
         for &corner in triangle {
-            let problem = match positions.get(corner as usize) {
+            let (code, problem) = match positions.get(corner as usize) {
                 Some(position) if position.as_vec3().is_finite() => continue,
-                Some(position) => format!("a corner is at {position}"),
-                None => format!("corner {corner} of {} positions", positions.len()),
+                Some(position) => (ErrorCode::NotFinite, format!("a corner is at {position}")),
+                None => (ErrorCode::NoSuchVertex, format!("corner {corner} of {} positions", positions.len())),
             };
             let expected = "corners at positions that are finite in 32 bits";
-            return Err(Error::invalid(format!("triangle {index}"), problem, expected));
+            return Err(Error::new(code, format!("triangle {index}"), problem, expected));
         }
     }
     write(BufWriter::new(writer), positions, triangles, count).map_err(unwritable)

@@ -1,4 +1,4 @@
-//! What a folded file keeps of the file that the sheet came from.
+//! The part of a file that its folded forms keep.
 
 use serde_json::{Map, Value};
 
@@ -14,18 +14,18 @@ const FROM_FACES: [&str; 5] = ["vertices_faces", "edges_faces", "faces_edges", "
 /// Classes of files of more than one frame.
 const MANY_FRAMES: [&str; 3] = ["animation", "multiModel", "diagrams"];
 
-/// What the folded forms of a sheet keep of the document that it came from: metadata and unknown keys, but no arrays that
-/// the pattern has too. So the document itself, as large as the model, need not be kept while the sheet is folded.
+/// The part of a document that the folded forms of its sheet keep: metadata and unknown keys, but no arrays that the pattern
+/// has too. So the document itself, as large as the model, need not be kept while the sheet is folded.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Template {
     classes: Vec<String>,
     metadata: Map<String, Value>,
-    /// Of the one frame.
+    /// Unknown keys of the one frame.
     extra: Map<String, Value>,
 }
 
 impl Template {
-    /// For folded forms of `pattern`, which is what became of frame `frame` of `source`.
+    /// The template for folded forms of `pattern`, which was made from frame `frame` of `source`.
     ///
     /// Arrays that follow from others (`faces_edges`, `edges_length`, `faceOrders` and such) are kept where those are in the
     /// pattern as in the source, else dropped: their counts, ends or order changed when the pattern was cleaned.

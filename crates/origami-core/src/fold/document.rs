@@ -20,7 +20,7 @@ pub struct Document {
     pub key_frame: Frame,
     /// `file_frames`: frame `i + 1` is `frames[i]`.
     pub frames: Vec<Frame>,
-    /// What the reader found odd and put right, such as keys by their FOLD 1.0 name. Not written.
+    /// Oddities that the reader put right, such as keys by their FOLD 1.0 name. Not written.
     pub warnings: Vec<Warning>,
 }
 
@@ -60,7 +60,7 @@ pub struct Frame {
     pub vertices_coords: Option<Vec<Coordinates>>,
     /// `edges_vertices`.
     pub edges_vertices: Option<Vec<[u32; 2]>>,
-    /// `edges_assignment`, the letters as written. Those of FOLD are borrowed, as there are millions of them.
+    /// `edges_assignment`, the letters as written. The letters that FOLD knows are borrowed, as there are millions of them.
     pub edges_assignment: Option<Vec<Cow<'static, str>>>,
     /// `edges_foldAngle` (or 1.0's `edges_foldAngles`), in degrees, valley positive; `None` is `null`.
     pub edges_fold_angle: Option<Vec<Option<f64>>>,

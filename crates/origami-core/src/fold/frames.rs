@@ -1,18 +1,9 @@
-//! Frames: which there are, and what they inherit.
+//! Frames: how many there are, and what each inherits.
 
 use std::borrow::Cow;
 
 use super::{Document, Frame, keys};
-use crate::error::Error;
-
-/// The full name of `key` in frame `index`: `key` itself in the key frame, else such as `file_frames[2].key`.
-#[must_use]
-pub fn place(index: usize, key: &str) -> String {
-    match index.checked_sub(1) {
-        None => key.to_owned(),
-        Some(index) => format!("file_frames[{index}].{key}"),
-    }
-}
+use crate::error::{Error, ErrorCode, Place};
 
 impl Document {
     /// How many frames there are, the key frame included.
@@ -36,7 +27,7 @@ impl Document {
     pub(crate) fn resolved(&self, index: usize) -> Result<Cow<'_, Frame>, Error> {
         let mut current = self.written_frame(index).ok_or_else(|| {
             let expected = format!("a frame from 0 to {}", self.frames.len());
-            Error::invalid(format!("frame {index}"), "there is no such frame", expected)
+            Error::new(ErrorCode::NoSuchFrame, Place::Frame(index), "there is no such frame", expected)
         })?;
         if current.parent.is_none() && !current.inherit && !current.extra.keys().any(|key| keys::is_metadata(key)) {
             return Ok(Cow::Borrowed(current));
@@ -53,13 +44,15 @@ impl Document {
             };
             current = self.written_frame(parent).ok_or_else(|| {
                 let expected = format!("a frame from 0 to {}", self.frames.len());
-                Error::invalid(place(at, keys::FRAME_PARENT), format!("there is no frame {parent}"), expected)
+                let place = Place::key(keys::FRAME_PARENT).in_frame(at);
+                Error::new(ErrorCode::NoSuchFrame, place, format!("there is no frame {parent}"), expected)
             })?;
             resolved.inherit_from(current);
             at = parent;
         }
         let problem = "the frame inherits from itself";
-        Err(Error::invalid(place(index, keys::FRAME_PARENT), problem, "a chain of parents that ends"))
+        let place = Place::key(keys::FRAME_PARENT).in_frame(index);
+        Err(Error::new(ErrorCode::FramesInACircle, place, problem, "a chain of parents that ends"))
     }
 
     /// The frame to fold unless another is asked for: the first, key frame first, that has `vertices_coords`, its own
@@ -83,7 +76,8 @@ impl Document {
                 at = self.parent(current);
             }
         }
-        Err(Error::invalid(keys::VERTICES_COORDS, "no frame has this key", "the positions of the vertices"))
+        let place = Place::key(keys::VERTICES_COORDS);
+        Err(Error::new(ErrorCode::MissingKey, place, "no frame has this key", "the positions of the vertices"))
     }
 
     fn written_frame(&self, index: usize) -> Option<&Frame> {

@@ -5,13 +5,12 @@
 //! keys are typed; all others are kept in the order of the file and come out again. Lengths of arrays, ranges of
 //! indices and letters are checked where they get a meaning, in [`crate::pattern`].
 
+mod deserialize;
 mod document;
 mod frames;
 mod keys;
 mod read;
-mod seeds;
 mod visitors;
 mod write;
 
 pub use document::{Coordinates, Document, Frame};
-pub use frames::place;

@@ -1,6 +1,5 @@
 //! From bytes to a [`Document`].
 
-use std::fs;
 use std::io::Read;
 
 use serde::de::DeserializeSeed;
@@ -9,17 +8,20 @@ use serde_json::error::Category;
 use serde_path_to_error::{Path, Segment, Track};
 
 use super::Document;
+use super::deserialize::KEY_TWICE;
+use super::keys;
 use super::visitors::Top;
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place, Syntax};
 
 impl Document {
-    /// Reads a FOLD file.
+    /// Reads a FOLD file. Needs the feature `files`.
     ///
     /// # Errors
     /// [`Error::Io`] if the file cannot be read; otherwise as [`Document::from_slice`].
+    #[cfg(feature = "files")]
     pub fn read(path: impl AsRef<std::path::Path>) -> Result<Self, Error> {
         let path = path.as_ref();
-        let bytes = fs::read(path).map_err(|source| Error::Io { path: path.display().to_string(), source })?;
+        let bytes = std::fs::read(path).map_err(|source| Error::Io { path: path.display().to_string(), source })?;
         Self::from_slice(&bytes)
     }
 
@@ -52,15 +54,19 @@ fn text(bytes: &[u8]) -> Result<&str, Error> {
         let before = &bytes[..error.valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
         let column = 1 + before.iter().rev().take_while(|&&byte| byte != b'\n').count();
-        let problem = "not UTF-8; expected a FOLD file, that is JSON in UTF-8".into();
-        Error::Syntax { place: format!("line {line} column {column}"), problem }
+        let problem = "not UTF-8; expected a FOLD file, that is JSON in UTF-8";
+        syntax(ErrorCode::NotUtf8, Place::Line { line, column: Some(column) }, [line, column], problem)
     })?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     if text.trim_ascii().is_empty() {
-        let problem = "the file is empty; expected a FOLD file, that is one JSON object".into();
-        return Err(Error::Syntax { place: "line 1".into(), problem });
+        let problem = "the file is empty; expected a FOLD file, that is one JSON object";
+        return Err(syntax(ErrorCode::EmptyFile, Place::Line { line: 1, column: None }, [1, 1], problem));
     }
     Ok(text)
+}
+
+fn syntax(code: ErrorCode, place: Place, [line, column]: [usize; 2], problem: impl Into<String>) -> Error {
+    Error::Syntax(Box::new(Syntax { code, place, line, column, problem: problem.into() }))
 }
 
 /// The error of parsing `text`, with its place. `error` is what the first pass said.
@@ -71,49 +77,74 @@ fn located(text: &str, error: serde_json::Error) -> Error {
         Ok(_) => error,
         Err(error) => error,
     };
-    let path = written(&track.path());
-    let position = format!("line {} column {}", error.line(), error.column());
+    let (line, column) = (error.line(), error.column());
     let message = error.to_string();
-    let message = message.strip_suffix(&format!(" at {position}")).unwrap_or(&message);
-    let problem = match (error.classify(), message) {
-        (_, "number out of range") => "the number is too large; expected a finite one".to_owned(),
-        (_, "recursion limit exceeded") => "nested too deeply; expected fewer than 128 levels".to_owned(),
-        (Category::Syntax | Category::Eof, message) => format!("not JSON: {message}"),
-        (_, message) => shortened(message),
+    let message = message.strip_suffix(&format!(" at line {line} column {column}")).unwrap_or(&message);
+    let (code, problem) = match (error.classify(), message) {
+        (_, "number out of range") => {
+            (ErrorCode::NumberTooLarge, "the number is too large; expected a finite one".to_owned())
+        }
+        (_, "recursion limit exceeded") => {
+            (ErrorCode::NestedTooDeeply, "nested too deeply; expected fewer than 128 levels".to_owned())
+        }
+        (Category::Syntax | Category::Eof, message) => (ErrorCode::NotJson, format!("not JSON: {message}")),
+        (_, KEY_TWICE) => (ErrorCode::KeyTwice, KEY_TWICE.to_owned()),
+        (_, message) => (ErrorCode::WrongType, shortened(message)),
     };
-    if path.is_empty() {
-        Error::Syntax { place: position, problem }
-    } else {
-        Error::Syntax { place: path, problem: format!("{problem} ({position})") }
-    }
+    let place = place(&track.path()).unwrap_or(Place::Line { line, column: Some(column) });
+    syntax(code, place, [line, column], problem)
 }
 
 /// Longer paths are shortened to so many parts.
 const SEGMENTS: usize = 8;
 
-/// Such as `file_frames[0].edges_vertices[3]`; as far as it is known where a key itself is what cannot be parsed.
-fn written(path: &Path) -> String {
+/// The place at the end of a path, such as `file_frames[0].edges_vertices[3]`, as far as it is known where a key itself is
+/// what cannot be parsed. `None` for the file as a whole.
+fn place(path: &Path) -> Option<Place> {
+    let segments: Vec<&Segment> =
+        path.iter().take_while(|segment| matches!(segment, Segment::Seq { .. } | Segment::Map { .. })).collect();
+    let (key, frame, before) = match segments.as_slice() {
+        [Segment::Map { key: frames }, Segment::Seq { index }, Segment::Map { key }, ..]
+            if frames == keys::FILE_FRAMES =>
+        {
+            (key, Some(index + 1), 3)
+        }
+        [Segment::Map { key }, ..] => (key, (!keys::is_metadata(key)).then_some(0), 1),
+        _ => return None,
+    };
+    let key = printable(key);
+    let mut place = match segments.get(before) {
+        Some(Segment::Seq { index }) => Place::entry(key, *index).within(&rest(&segments, before + 1)),
+        _ => Place::key(key).within(&rest(&segments, before)),
+    };
+    if let Some(frame) = frame {
+        place = place.in_frame(frame);
+    }
+    Some(place)
+}
+
+/// The path from segment `from` on. Of deep nesting it has the start and the end.
+fn rest(segments: &[&Segment], from: usize) -> String {
     let mut text = String::new();
-    // Deep nesting is told by its start and its end.
-    let count = path.iter().count();
-    for (depth, segment) in path.iter().enumerate() {
-        if count > SEGMENTS && depth == SEGMENTS / 2 {
+    for (depth, segment) in segments.iter().enumerate().skip(from) {
+        if segments.len() > SEGMENTS && depth == SEGMENTS / 2 {
             text.push_str("[…]");
         }
-        if depth >= SEGMENTS / 2 && depth + SEGMENTS / 2 < count {
+        if depth >= SEGMENTS / 2 && depth + SEGMENTS / 2 < segments.len() {
             continue;
         }
         match segment {
             Segment::Seq { index } => text.push_str(&format!("[{index}]")),
-            Segment::Map { key } => {
-                text.push_str(if text.is_empty() { "" } else { "." });
-                // A key may be anything; a terminal should not obey it.
-                text.extend(shortened(key).chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }));
-            }
-            Segment::Enum { .. } | Segment::Unknown => break,
+            Segment::Map { key } => text.extend([".", &printable(key)]),
+            Segment::Enum { .. } | Segment::Unknown => {}
         }
     }
     text
+}
+
+/// A key may be anything: it is shortened, and a terminal should not obey it.
+fn printable(key: &str) -> String {
+    shortened(key).chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
 }
 
 /// Without its middle if it is long: messages quote what they met, which may be a whole file.

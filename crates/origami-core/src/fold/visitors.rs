@@ -6,10 +6,10 @@ use std::marker::PhantomData;
 
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, Visitor};
 
+use super::deserialize::{Any, Finite, Index, Items, Letter, Optional, Pair, Point, Twice};
 use super::keys::*;
-use super::seeds::{Any, Finite, Index, Items, Letter, Optional, Pair, Point, Twice};
-use super::{Document, Frame, place};
-use crate::error::Warning;
+use super::{Document, Frame};
+use crate::error::{Place, Warning, WarningCode};
 
 const STRINGS: Items<PhantomData<String>> = Items { expected: "an array of strings", item: PhantomData };
 const INDICES: Items<Index> = Items { expected: "an array of vertex indices", item: Index };
@@ -139,6 +139,7 @@ impl RawFrame {
     /// The frame, after a look at what needs more than one key.
     fn settle(self, index: usize, warnings: &mut Vec<Warning>) -> Frame {
         let mut frame = self.frame;
+        let place = |key: &'static str| Place::key(key).in_frame(index);
         if let Some(angles) = self.fold_angles_1_0 {
             let message = if frame.edges_fold_angle.is_none() {
                 frame.edges_fold_angle = Some(angles);
@@ -146,14 +147,14 @@ impl RawFrame {
             } else {
                 "FOLD 1.0's name, ignored because edges_foldAngle is there too"
             };
-            warnings.push(Warning::new(place(index, EDGES_FOLD_ANGLES), message));
+            warnings.push(Warning::new(WarningCode::OldKey, place(EDGES_FOLD_ANGLES), message));
         }
         if frame.inherit && index == 0 {
             let message = "the key frame has no parent; ignored";
-            warnings.push(Warning::new(place(index, FRAME_INHERIT), message));
+            warnings.push(Warning::new(WarningCode::KeyFrameInherits, place(FRAME_INHERIT), message));
         } else if frame.inherit && frame.parent.is_none() {
             let message = "true, but there is no frame_parent; inherits from the key frame";
-            warnings.push(Warning::new(place(index, FRAME_INHERIT), message));
+            warnings.push(Warning::new(WarningCode::NoParent, place(FRAME_INHERIT), message));
         }
         frame
     }

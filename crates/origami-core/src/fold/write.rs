@@ -4,8 +4,8 @@ use std::io::{self, BufWriter, Write};
 
 use serde::{Serialize, Serializer};
 
-use super::{Coordinates, Document, Frame, keys, place};
-use crate::error::Error;
+use super::{Coordinates, Document, Frame, keys};
+use crate::error::{Error, ErrorCode, Place};
 
 /// Keys without a field that come before the arrays, because a person looks for them there.
 const HEAD: [&str; 5] = ["frame_title", "frame_author", "frame_description", "frame_attributes", "frame_unit"];
@@ -91,9 +91,10 @@ fn write_frame<W: Write>(object: &mut Object<W>, frame: &Frame, wanted: impl Fn(
 }
 
 fn check_finite(frame: &Frame, index: usize) -> Result<(), Error> {
-    let refuse = |key, i, what| {
+    let refuse = |key: &'static str, i, what| {
         let problem = format!("{what}, which JSON cannot hold");
-        Err(Error::invalid(format!("{}[{i}]", place(index, key)), problem, "finite numbers"))
+        let place = Place::entry(key, i).in_frame(index);
+        Err(Error::new(ErrorCode::NotFinite, place, problem, "finite numbers"))
     };
     let points = frame.vertices_coords.as_deref().unwrap_or_default();
     if let Some(i) = points.iter().position(|point| !point.position.is_finite()) {

@@ -1,4 +1,4 @@
-//! Angles from their cosine and sine, without paying for an arcus tangent where the angle hardly moved.
+//! Angles from their cosine and sine, without paying for an arc tangent where the angle hardly moved.
 
 use std::f64::consts::TAU;
 

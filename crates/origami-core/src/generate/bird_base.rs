@@ -48,7 +48,7 @@ pub(super) const PETALS: [usize; 4] = [5, 6, 7, 8];
 pub(super) const HALF_DIAGONAL: f64 = FRAC_1_SQRT_2;
 
 /// The bird base of a square of side 1 that stands on a corner, folded flat. The middle (point 0) is the origin, in the
-/// sheet and folded; the legs point down, and the facet in front lies in its place.
+/// sheet and folded; the legs point down, and the facet in front lies where it is on the sheet.
 pub(super) fn bird_base() -> FlatFold {
     // The creases from the corners stand at 22.5 degrees to the diagonals, and so meet the midlines here.
     let petal = (1.0 - FRAC_PI_8.tan()) / 2.0;

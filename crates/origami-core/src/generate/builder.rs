@@ -4,10 +4,9 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::closed_form::fold_angle;
 use crate::error::Error;
 use crate::ids::VertexId;
-use crate::pattern::{Assignment, CreasePattern, PatternEdge};
+use crate::pattern::{Assignment, CreasePattern, PatternEdge, fold_angle};
 
 /// The most vertices that a generator makes; some gigabytes of pattern.
 const MAX_VERTICES: usize = 1 << 24;

@@ -1,33 +1,35 @@
 //! The generators by name, with named numbers as parameters: lengths in any unit, angles in degrees, yes as 1 and no
 //! as 0.
 
-use super::closed_form::Degree4Mode;
 use super::{
     BirdBase, Crane, CurvedPleat, Degree4, Fan, Hypar, Kresling, Miura, SingleCrease, SquareTwist, Strip, Waterbomb,
     WaterbombVertex, Yoshimura,
 };
 use crate::error::Error;
 use crate::pattern::CreasePattern;
+use crate::rigid::Degree4Mode;
 
 /// A number that a generator takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Parameter {
-    /// What to call it.
+    /// Its name.
     pub name: &'static str,
     /// Its value where none is given.
     pub default: f64,
-    /// What it is, its unit and range.
+    /// Its meaning, unit and range.
     pub meaning: &'static str,
 }
 
 /// A generator.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Entry {
-    /// What to call it.
+    /// Its name.
     pub name: &'static str,
-    /// What it makes, in one line.
+    /// The pattern that it makes, in one line.
     pub summary: &'static str,
-    /// What it takes.
+    /// Its parameters.
     pub parameters: &'static [Parameter],
     make: fn(&Values<'_>) -> Result<CreasePattern, Error>,
 }

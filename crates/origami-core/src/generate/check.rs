@@ -5,9 +5,10 @@ use std::f64::consts::PI;
 
 use glam::{DAffine2, DMat2, DVec2, DVec3};
 
-use super::closed_form::{fold_angle, loop_closure};
 use crate::ids::VertexId;
+use crate::pattern::fold_angle;
 use crate::pattern::{Assignment, CreasePattern};
+use crate::rigid::loop_closure;
 
 /// Faces to the left of each directed edge.
 fn half_edges(pattern: &CreasePattern) -> HashMap<[VertexId; 2], usize> {
@@ -112,7 +113,7 @@ fn letters_around_small_sectors(around: &[(f64, f64)]) {
 }
 
 /// Folds the sheet flat by reflecting faces across creases, face after face; every face must agree with all its
-/// neighbours. Returns the place of each vertex.
+/// neighbours. Returns the position of each vertex.
 pub(super) fn folds_flat(pattern: &CreasePattern) -> Vec<DVec2> {
     let left = half_edges(pattern);
     let folded: HashMap<[VertexId; 2], bool> = pattern

@@ -104,7 +104,7 @@ impl Flap {
     }
 }
 
-/// 1 for places on the sheet that the bird base has in front, -1 for those behind.
+/// 1 for points of the sheet that the bird base has in front, -1 for those behind.
 fn in_front(place: DVec2) -> f64 {
     if place.y < 0.0 { 1.0 } else { -1.0 }
 }

@@ -3,9 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::builder::{Sheet, between, positive, within};
-use super::closed_form::{Degree4Mode, degree4};
 use crate::error::Error;
 use crate::pattern::CreasePattern;
+use crate::rigid::{Degree4Mode, degree4};
 
 /// A kite around one flat-foldable vertex: vertex 0 is the middle, vertex k the end of crease k; sectors
 /// (a, b, pi - a, pi - b) counterclockwise, the first one after crease 1, which points along x.

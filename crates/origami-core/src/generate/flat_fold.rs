@@ -50,7 +50,7 @@ struct Facet {
     placed: DAffine2,
 }
 
-/// A sheet, folded flat. Convex facets of paper, each with its place in the folded plane.
+/// A sheet, folded flat. Convex facets of paper, each with its position in the folded plane.
 pub(super) struct FlatFold {
     /// On the sheet.
     points: Vec<DVec2>,
@@ -64,7 +64,7 @@ fn key(a: usize, b: usize) -> [usize; 2] {
 }
 
 impl FlatFold {
-    /// Folds `facets` flat along `folds`; the first one stays in its place.
+    /// Folds `facets` flat along `folds`; the first one stays where it is.
     pub(super) fn new(points: Vec<DVec2>, facets: Vec<Vec<usize>>, folds: &[([usize; 2], f64)]) -> Self {
         let facets = facets.into_iter().map(|corners| Facet { corners, placed: DAffine2::IDENTITY }).collect();
         let folds = folds.iter().map(|&([a, b], angle)| (key(a, b), angle)).collect();
@@ -95,7 +95,7 @@ impl FlatFold {
     }
 
     /// Folds over the flap that hangs on `tip`: what is connected with it on the line's moving side, through all its
-    /// layers. `side` tells for a place on the sheet whether its layer turns towards the viewer (1) or away (-1); a
+    /// layers. `side` says for a point of the sheet whether its layer turns towards the viewer (1) or away (-1); a
     /// crease between layers that turn opposite ways is turned inside out, as in a reverse fold.
     pub(super) fn fold(&mut self, tip: usize, line: FoldLine, angle: f64, side: impl Fn(DVec2) -> f64) {
         let flap = self.flap(tip, line);
@@ -140,7 +140,7 @@ impl FlatFold {
         flap
     }
 
-    /// What of a facet stays, and what moves. New points are shared between neighbours through `cuts`.
+    /// The part of a facet that stays, and the part that moves. New points are shared between neighbours through `cuts`.
     fn cut(
         &mut self,
         corners: &[usize],

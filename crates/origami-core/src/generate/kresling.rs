@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::builder::{at_least, between, positive, room};
-use super::closed_form::KreslingFold;
 use super::rolled::Lattice;
 use crate::error::Error;
 use crate::pattern::CreasePattern;
+use crate::rigid::KreslingFold;
 
 /// Storeys of equal triangles between n-gons, each turned against the one below.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl Default for Kresling {
 }
 
 impl Kresling {
-    /// The flat strip, one cylinder wide; its fold angles are those of the cylinder, letters seen from outside.
+    /// The flat strip, one cylinder wide; folded by its fold angles it is the cylinder; letters are seen from outside.
     ///
     /// # Errors
     /// If a count is too small, a length not positive, the twist not within -pi..pi, or the sheet too large.

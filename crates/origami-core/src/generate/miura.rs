@@ -3,10 +3,10 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::builder::{Sheet, at_least, between, positive, room};
-use super::closed_form::MiuraFold;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
+use crate::rigid::MiuraFold;
 
 /// A sheet of parallelograms in zigzag columns: vertex `j * (columns + 1) + i` is vertex i of zigzag crease j.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub struct Miura {
     pub b: f64,
     /// Acute corner of a panel. Default 60 degrees.
     pub gamma: f64,
-    /// Inclination of the panels when folded, from 0 (exclusive) to pi/2: fold angles are those of [`MiuraFold`].
+    /// Inclination of the panels when folded, from 0 (exclusive) to pi/2: [`MiuraFold`] has the fold angles.
     /// Default pi/2, folded flat: all creases fold by pi.
     pub theta: f64,
 }

@@ -19,7 +19,6 @@ mod builder;
 pub mod catalog;
 #[cfg(test)]
 mod check;
-pub mod closed_form;
 mod crane;
 mod curved_pleat;
 mod degree4;

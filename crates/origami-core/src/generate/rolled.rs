@@ -17,7 +17,7 @@ pub(super) struct Lattice<Rising> {
 }
 
 impl<Rising: Fn(usize) -> bool> Lattice<Rising> {
-    /// The flat strip, whose fold angles are those of the vertices at `space`, seen from outside.
+    /// The flat strip, with the fold angles that it has when its vertices are at `space`; letters are seen from outside.
     pub(super) fn strip(
         &self,
         flat: impl Fn(usize, usize) -> DVec3,

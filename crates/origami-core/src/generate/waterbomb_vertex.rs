@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use super::builder::{Sheet, at_least, between, positive, room};
-use super::closed_form::{waterbomb_folds, waterbomb_polar};
 use crate::error::Error;
 use crate::pattern::CreasePattern;
+use crate::rigid::{waterbomb_folds, waterbomb_polar};
 
 /// A regular 2n-gon with a crease to each corner, at the fold angles of one symmetric rigid state: vertex 0 is the
 /// middle, vertex k the end of crease k.

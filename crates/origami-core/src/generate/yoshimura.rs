@@ -5,10 +5,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::DVec3;
 
 use super::builder::{at_least, between, positive, room};
-use super::closed_form::YoshimuraFold;
 use super::rolled::Lattice;
 use crate::error::Error;
 use crate::pattern::CreasePattern;
+use crate::rigid::YoshimuraFold;
 
 /// Lines of equal isosceles triangles, each shifted by half a triangle; where two lines meet, triangles are diamonds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,7 @@ impl Default for Yoshimura {
 }
 
 impl Yoshimura {
-    /// The flat strip, one cylinder wide; its fold angles are those of the cylinder, letters seen from outside.
+    /// The flat strip, one cylinder wide; folded by its fold angles it is the cylinder; letters are seen from outside.
     ///
     /// # Errors
     /// If a count is too small, a length not positive, `alpha` out of its range, or the sheet too large.

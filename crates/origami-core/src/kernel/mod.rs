@@ -19,6 +19,10 @@ mod lanes;
 mod lookup;
 mod loose_beams;
 mod outside;
+#[cfg(feature = "parallel")]
+mod parallelism;
+#[cfg(not(feature = "parallel"))]
+#[path = "alone.rs"]
 mod parallelism;
 mod real;
 mod reduce_forces;
@@ -214,7 +218,7 @@ impl<R: Compute> Kernel<R> {
             R::run(self.isa, LooseBeams { sheet, positions, velocities, slots: loose });
         }
         if !last.is_empty() {
-            let Sheet { rows, slots, .. } = sheet;
+            let (rows, slots) = (sheet.slots.starts(), sheet.slots.items());
             R::run(self.isa, Apply { outside: &self.outside, rows, slots, springs, last });
         }
     }
@@ -223,7 +227,8 @@ impl<R: Compute> Kernel<R> {
     pub(crate) fn euler(&mut self, time_step: f64) -> bool {
         let nodes = self.sheet.nodes;
         let (positions, velocities) = (&mut self.positions[..nodes], &mut self.velocities[..nodes]);
-        let Self { sheet: Sheet { rows, slots, .. }, slots: forces, bounds, .. } = self;
+        let Self { sheet, slots: forces, bounds, .. } = self;
+        let (rows, slots) = (sheet.slots.starts(), sheet.slots.items());
         share::run::<R, _>(
             self.isa,
             Euler { bounds: *bounds, rows, slots, forces, positions, velocities, time_step },
@@ -235,7 +240,8 @@ impl<R: Compute> Kernel<R> {
     pub(crate) fn verlet(&mut self, time_step: f64, previous_step: f64) -> bool {
         let nodes = self.sheet.nodes;
         self.forces.resize(nodes, R::Quad::default());
-        let Self { sheet: Sheet { rows, slots, .. }, slots: forces, forces: accelerations, bounds, .. } = self;
+        let Self { sheet, slots: forces, forces: accelerations, bounds, .. } = self;
+        let (rows, slots) = (sheet.slots.starts(), sheet.slots.items());
         let (positions, velocities) = (&mut self.positions[..nodes], &mut self.velocities[..nodes]);
         let bounds = *bounds;
         let pass =
@@ -248,7 +254,8 @@ impl<R: Compute> Kernel<R> {
         let nodes = self.sheet.nodes;
         self.forces.resize(nodes, R::Quad::default());
         self.sums.resize(nodes.div_ceil(BLOCK), Sums::default());
-        let Self { sheet: Sheet { rows, slots, .. }, slots: forces, forces: node_forces, sums, .. } = self;
+        let Self { sheet, slots: forces, forces: node_forces, sums, .. } = self;
+        let (rows, slots) = (sheet.slots.starts(), sheet.slots.items());
         let velocities = &self.velocities[..nodes];
         share::run::<R, _>(
             self.isa,
@@ -291,7 +298,7 @@ impl<R: Compute> Kernel<R> {
     pub(crate) fn positions_and_forces(&self) -> impl Iterator<Item = [DVec3; 2]> + '_ {
         let sum = |slots: &[u32]| slots.iter().map(|slot| R::vector(self.slots[*slot as usize])).sum::<DVec3>();
         let mut outside = self.outside.nodes.iter().zip(&self.outside.held).peekable();
-        let forces = (0_u32..).zip(gather::rows(&self.sheet.rows, &self.sheet.slots)).map(move |(n, slots)| {
+        let forces = (0_u32..).zip(self.sheet.slots.iter()).map(move |(n, slots)| {
             match outside.next_if(|(node, _)| **node == n) {
                 Some((_, axes)) => axes.without(sum(slots)),
                 None => sum(slots),

@@ -2,6 +2,7 @@
 //! are taken in blocks that are never cut.
 
 use super::isa::{Compute, Isa, Pass};
+use crate::parallel;
 
 /// A pass over a list that may be cut in two.
 pub(super) trait Cut<R: Compute>: Pass<R, Output: Send> + Send + Sized {
@@ -24,6 +25,6 @@ pub(super) fn run<R: Compute, P: Cut<R>>(isa: Isa, pass: P, tasks: usize) -> P::
     }
     let first = tasks / 2;
     let (one, other) = pass.cut((grains * first / tasks).max(1) * P::GRAIN);
-    let (one, other) = rayon::join(|| run(isa, one, first), || run(isa, other, tasks - first));
+    let (one, other) = parallel::join(|| run(isa, one, first), || run(isa, other, tasks - first));
     P::both(one, other)
 }

@@ -2,6 +2,7 @@
 
 use std::iter::{empty, repeat, repeat_n};
 
+use crate::csr::Csr;
 use crate::forces::damping;
 use crate::ids::{NodeId, SideId};
 use crate::model::Model;
@@ -34,10 +35,8 @@ pub(super) struct Sheet<R> {
     pub(super) loose_ends: Vec<u32>,
     /// By the same chunks: rest length, stiffness, damping.
     pub(super) loose_beams: Vec<R>,
-    /// The first slot of each node in `slots`, and the end of the last.
-    pub(super) rows: Vec<u32>,
-    /// Where the forces on each node lie; the last slot of a node on which something acts from outside is for that.
-    pub(super) slots: Vec<u32>,
+    /// By node: where the forces on it lie. The last slot of a node on which something acts from outside is for that.
+    pub(super) slots: Csr<u32>,
     pub(super) k_face: f64,
     pub(super) damped: bool,
 }
@@ -68,7 +67,7 @@ impl<R: Real> Sheet<R> {
         let loose_beams = loose.len().next_multiple_of(width);
         let ends = loose.iter().map(|(ends, _)| *ends);
         let beams = loose.iter().map(|(_, beam)| beam.map(R::of));
-        let (rows, slots) = slots(model, width, &loose, &[]);
+        let slots = slots(model, width, &loose, &[]);
         let mut sheet = Self {
             nodes,
             hinges: chunks(width, creases, hinges, no_hinge),
@@ -80,7 +79,6 @@ impl<R: Real> Sheet<R> {
             angles: angles(model, width),
             loose_ends: chunks(width, loose_beams, ends, [dummy(0), dummy(1)]),
             loose_beams: chunks(width, loose_beams, beams, [1.0, 0.0, 0.0].map(R::of)),
-            rows,
             slots,
             k_face: model.material.k_face,
             damped,
@@ -127,7 +125,7 @@ impl<R: Real> Sheet<R> {
     /// Gives each of these nodes, which are in order, one more slot, beyond those of triangles and loose beams.
     pub(super) fn add_slots(&mut self, model: &Model, width: usize, outside: &[u32]) {
         let loose: Vec<Loose> = loose(model).collect();
-        (self.rows, self.slots) = slots(model, width, &loose, outside);
+        self.slots = slots(model, width, &loose, outside);
     }
 
     /// How many vectors triangles and loose beams write.
@@ -182,7 +180,7 @@ fn loose(model: &Model) -> impl Iterator<Item = Loose> {
 
 /// For each node the slots of its forces: those of triangles in their order, then those of loose beams, then one for each of
 /// the nodes in `outside`.
-fn slots(model: &Model, width: usize, loose: &[Loose], outside: &[u32]) -> (Vec<u32>, Vec<u32>) {
+fn slots(model: &Model, width: usize, loose: &[Loose], outside: &[u32]) -> Csr<u32> {
     let nodes = model.node_count();
     let triangles = model.mesh.triangles.iter().enumerate();
     let first_loose = triangles.len().next_multiple_of(width) * 3;
@@ -194,18 +192,5 @@ fn slots(model: &Model, width: usize, loose: &[Loose], outside: &[u32]) -> (Vec<
         .flat_map(|(b, (ends, _))| (0..2).map(move |i| (ends[i] as usize, first_loose + at(width, b, (i, 2)))));
     let of_outside = outside.iter().enumerate().map(|(i, node)| (*node as usize, first_outside + i));
     let all = of_faces.chain(of_loose).chain(of_outside);
-    let mut rows = vec![0_u32; nodes + 1];
-    for (n, _) in all.clone() {
-        rows[n + 1] += 1;
-    }
-    for n in 0..nodes {
-        rows[n + 1] += rows[n];
-    }
-    let mut next = rows.clone();
-    let mut slots = vec![0; rows[nodes] as usize];
-    for (n, slot) in all {
-        slots[next[n] as usize] = NodeId::new(slot).0;
-        next[n] += 1;
-    }
-    (rows, slots)
+    Csr::from_entries(nodes, all.map(|(n, slot)| (n, NodeId::new(slot).0)))
 }

@@ -8,6 +8,7 @@ use nalgebra::{Matrix3, Vector3};
 
 /// How two states differ when one has been laid upon the other.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Alignment {
     /// Largest distance between corresponding points, in the unit of the points.
     pub max: f64,

@@ -1,4 +1,4 @@
-//! Fold angles reached, and how far they are from those asked for.
+//! Fold angles reached, and how far they are from their targets.
 
 use glam::DVec3;
 
@@ -7,8 +7,9 @@ use crate::model::Model;
 use crate::pattern::CreasePattern;
 use crate::solve::State;
 
-/// Difference between the fold angles reached and asked for, over all creases with a spring, in degrees.
+/// Difference between fold angles and their targets, over all creases with a spring, in degrees.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct AngleError {
     /// Mean of the absolute differences.
     pub mean: f64,
@@ -16,7 +17,7 @@ pub struct AngleError {
     pub max: f64,
 }
 
-/// That of `state`.
+/// The difference between the angles of `state` and its targets.
 #[must_use]
 pub fn angle_error(state: &State) -> AngleError {
     let differences = state.fold_angles.iter().zip(&state.targets).map(|(reached, asked)| reached - asked);

@@ -1,11 +1,11 @@
-//! How far a folded sheet is from one of rigid facets, without any reference to compare it with.
+//! How far a folded sheet is from one with rigid facets, with no other state to compare it with.
 
 use glam::DVec3;
 
-use crate::generate::closed_form::loop_closure;
 use crate::ids::NodeId;
 use crate::model::Model;
 use crate::pattern::fold_angle;
+use crate::rigid::loop_closure;
 
 /// How far each interior node is from closing with the sectors that it has at rest: 0 where the facets around it are as they
 /// were cut, and more where they had to stretch or bend ([`loop_closure`] has the formula). By node, those in the interior
@@ -18,7 +18,7 @@ pub fn closures(model: &Model, positions: &[DVec3]) -> Vec<(NodeId, f64)> {
 
 /// Fold angles at the sides around an interior node, each with the sector after it, counterclockwise.
 fn around(model: &Model, positions: &[DVec3], node: usize) -> Option<Vec<(f64, f64)>> {
-    let sides = model.mesh.sides_of_node.of(node);
+    let sides = model.mesh.sides_of_node.row(node);
     // Each neighbour with the one after it.
     let mut next: Vec<(usize, usize, f64)> = Vec::with_capacity(sides.len());
     for side in sides.iter().map(|side| &model.mesh.sides[side.index()]) {

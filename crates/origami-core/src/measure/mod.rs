@@ -1,10 +1,10 @@
-//! What can be said of a state: strain, energy, angles, distance from another state. Nothing here is computed unless
-//! asked for.
+//! Measures of a state: strain, energy, fold angles, closure of its vertices, distance from another state. None is computed
+//! unless it is called for.
 
 mod alignment;
 mod angles;
 mod closure;
-mod dangers;
+mod scene_warnings;
 mod strain;
 mod summary;
 
@@ -12,6 +12,6 @@ pub use crate::forces::Energy;
 pub use alignment::{Alignment, align};
 pub use angles::{AngleError, angle_error, edge_fold_angles};
 pub use closure::closures;
-pub use dangers::{dangers, frustration, single_precision};
+pub use scene_warnings::{scene_warnings, single_precision, strained_at_rest};
 pub use strain::{Strain, node_strains};
 pub use summary::Summary;

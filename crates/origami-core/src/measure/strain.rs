@@ -8,6 +8,7 @@ use crate::model::Model;
 
 /// Engineering strain `|l / l0 - 1|`, dimensionless (0.01 is 1 %).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Strain {
     /// Over all beams.
     pub beams: Summary,
@@ -16,7 +17,7 @@ pub struct Strain {
 }
 
 impl Strain {
-    /// That of `positions`.
+    /// The strain of a sheet whose nodes are at `positions`.
     #[must_use]
     pub fn of(model: &Model, positions: &[DVec3]) -> Self {
         Self {
@@ -31,7 +32,7 @@ impl Strain {
 pub fn node_strains(model: &Model, positions: &[DVec3]) -> Vec<f64> {
     let strains: Vec<f64> = beams::strains(model, positions).map(f64::abs).collect();
     let of_node = |n: usize| {
-        let sides = model.mesh.sides_of_node.of(n);
+        let sides = model.mesh.sides_of_node.row(n);
         sides.iter().map(|s| strains[s.index()]).sum::<f64>() / sides.len().max(1) as f64
     };
     (0..model.node_count()).map(of_node).collect()

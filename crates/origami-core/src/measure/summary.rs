@@ -1,7 +1,8 @@
 //! Mean, root mean square and maximum of a list of numbers.
 
-/// Of absolute values; all 0 for an empty list.
+/// Mean, root mean square and maximum of absolute values; all 0 for an empty list.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Summary {
     /// Mean of the absolute values.
     pub mean: f64,
@@ -12,7 +13,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Of the absolute values of `values`.
+    /// The summary of the absolute values of `values`.
     pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
         let (mut count, mut sum, mut squares, mut max) = (0_u64, 0.0, 0.0, 0.0_f64);
         for value in values {

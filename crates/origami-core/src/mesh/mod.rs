@@ -1,15 +1,14 @@
-//! Topology of the triangulated sheet: who touches whom. Positions are not known here.
+//! Topology of the triangulated sheet: the nodes, sides and triangles that touch each other. Positions are not known here.
 //!
 //! The geometry that a triangulation needs stays in `triangulate`; everything below it is integers.
 
-mod csr;
 mod order;
 mod sides;
 pub mod triangulate;
 
-pub use csr::Csr;
 pub use sides::Side;
 
+use crate::csr::Csr;
 use crate::error::Error;
 use crate::ids::{EdgeId, FaceId, NodeId, SideId, TriangleId, VertexId};
 use crate::pattern::CreasePattern;
@@ -17,6 +16,7 @@ use crate::pattern::CreasePattern;
 /// A triangulated sheet. Its nodes are the pattern's vertices that some face or edge uses. They are numbered as in the
 /// pattern, unless the sheet is large and that numbering scatters neighbours over memory: then by reverse Cuthill-McKee.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Mesh {
     /// The pattern's vertex of each node.
     pub vertex_of_node: Vec<VertexId>,
@@ -24,14 +24,14 @@ pub struct Mesh {
     pub node_of_vertex: Vec<Option<NodeId>>,
     /// Sides of triangles and edges outside any face, in the order of their nodes.
     pub sides: Vec<Side>,
-    /// The side of each pattern edge (that of its alias where it has one); `None` where that side does not exist.
+    /// The side of each pattern edge, or of the edge that stands for it; `None` where there is no such side.
     pub side_of_edge: Vec<Option<SideId>>,
     /// Corners, in the orientation of the face that the triangle is a part of. Ordered by the lowest node of each, so that
     /// neighbours in space are neighbours in memory.
     pub triangles: Vec<[NodeId; 3]>,
     /// The pattern's face of each triangle.
     pub face_of_triangle: Vec<FaceId>,
-    /// The triangles in the order in which they were cut from the pattern's faces: that of files.
+    /// The triangles in the order in which they were cut from the pattern's faces, which is the order in files.
     pub triangles_by_face: Vec<TriangleId>,
     /// Sides at each node.
     pub sides_of_node: Csr<SideId>,
@@ -118,7 +118,7 @@ fn number_nodes(pattern: &CreasePattern, triangles: &[[VertexId; 3]]) -> (Vec<Ve
     number(&mut node_of_vertex, &vertex_of_node);
     let nodes = vertex_of_node.len();
     if order::is_scattered(nodes, neighbours(pattern, triangles, &node_of_vertex)) {
-        let neighbours = Csr::new(nodes, neighbours(pattern, triangles, &node_of_vertex));
+        let neighbours = Csr::from_entries(nodes, neighbours(pattern, triangles, &node_of_vertex));
         let order = order::reverse_cuthill_mckee(&neighbours);
         vertex_of_node = order.iter().map(|n| vertex_of_node[n.index()]).collect();
         number(&mut node_of_vertex, &vertex_of_node);
@@ -142,7 +142,7 @@ fn neighbours(
     along_triangles.chain(along_edges).filter_map(numbered)
 }
 
-/// The triangles in the order of their lowest nodes, those of one node in the order given; and the place of each.
+/// The triangles in the order of their lowest nodes, those of one node in the order given; and the new index of each.
 fn sorted(given: &[[NodeId; 3]]) -> (Vec<[NodeId; 3]>, Vec<TriangleId>) {
     let lowest = |corners: &[NodeId; 3]| corners.iter().copied().min();
     if given.is_sorted_by_key(lowest) {
@@ -150,14 +150,15 @@ fn sorted(given: &[[NodeId; 3]]) -> (Vec<[NodeId; 3]>, Vec<TriangleId>) {
     }
     let mut order: Vec<TriangleId> = (0..given.len()).map(TriangleId::new).collect();
     order.sort_by_key(|t| lowest(&given[t.index()]));
-    let mut places = order.clone();
-    order.iter().enumerate().for_each(|(place, t)| places[t.index()] = TriangleId::new(place));
-    (order.iter().map(|t| given[t.index()]).collect(), places)
+    let mut new_index = order.clone();
+    order.iter().enumerate().for_each(|(new, t)| new_index[t.index()] = TriangleId::new(new));
+    (order.iter().map(|t| given[t.index()]).collect(), new_index)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Place;
     use crate::pattern::{Assignment, PatternEdge};
 
     fn edge(a: u32, b: u32) -> PatternEdge {
@@ -196,15 +197,16 @@ mod tests {
         assert_eq!(diagonal.nodes, [NodeId(2), NodeId(0)]);
         assert_eq!(diagonal.triangles, [Some(TriangleId(0)), Some(TriangleId(1))]);
         assert_eq!(diagonal.apexes, [Some(NodeId(1)), Some(NodeId(3))]);
-        assert_eq!(mesh.sides_of_node.of(0).len(), 3);
-        assert_eq!(mesh.triangles_of_node.of(3), &[TriangleId(1)]);
+        assert_eq!(mesh.sides_of_node.row(0).len(), 3);
+        assert_eq!(mesh.triangles_of_node.row(3), &[TriangleId(1)]);
     }
 
     #[test]
     fn a_third_triangle_and_a_wrong_turn_are_refused() {
         let triangles = [[0, 1, 2], [0, 2, 5], [0, 2, 3]].map(|t| t.map(VertexId));
         let error = Mesh::new(&square(), &triangles, vec![FaceId(0); 3]).expect_err("three at one side");
-        assert!(error.to_string().contains("vertices 0 and 2"), "{error}");
+        assert!(error.to_string().contains("vertices 0, 2"), "{error}");
+        assert_eq!(error.place(), Place::Vertices(vec![VertexId(0), VertexId(2)]));
         let triangles = [[0, 1, 2], [2, 0, 5]].map(|t| t.map(VertexId));
         assert!(Mesh::new(&square(), &triangles, vec![FaceId(0); 2]).is_err(), "both run from 2 to 0");
     }

@@ -6,7 +6,7 @@
 
 use std::cmp::Reverse;
 
-use super::Csr;
+use crate::csr::Csr;
 use crate::ids::NodeId;
 
 /// Sheets of fewer nodes lie in the processor's cache as a whole: no order is faster than another.
@@ -58,7 +58,7 @@ struct Walker<'a> {
     walks: u32,
 }
 
-/// What a walk found.
+/// The result of a walk.
 struct Walk {
     depth: usize,
     /// A node of the last level, the one with the fewest neighbours.
@@ -70,14 +70,14 @@ impl Walker<'_> {
     fn walk(&mut self, start: NodeId, order: &mut Vec<NodeId>) -> Walk {
         self.walks += 1;
         self.seen[start.index()] = self.walks;
-        let degree = |n: NodeId| self.neighbours.of(n.index()).len();
+        let degree = |n: NodeId| self.neighbours.row(n.index()).len();
         let (mut level, mut depth) = (order.len(), 0);
         order.push(start);
         loop {
             let end = order.len();
             for at in level..end {
                 let first = order.len();
-                for &next in self.neighbours.of(order[at].index()) {
+                for &next in self.neighbours.row(order[at].index()) {
                     if self.seen[next.index()] != self.walks {
                         self.seen[next.index()] = self.walks;
                         order.push(next);
@@ -105,7 +105,7 @@ mod tests {
     }
 
     fn order(nodes: usize, sides: &[[usize; 2]]) -> Vec<NodeId> {
-        reverse_cuthill_mckee(&Csr::new(nodes, both(sides)))
+        reverse_cuthill_mckee(&Csr::from_entries(nodes, both(sides)))
     }
 
     fn sides_of_miura(columns: usize, rows: usize) -> (usize, Vec<[usize; 2]>) {

@@ -1,10 +1,11 @@
 //! Sides of a triangulation, found by sorting rather than hashing.
 
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place};
 use crate::ids::{EdgeId, NodeId, SideId, TriangleId, VertexId};
 
 /// A side of the triangulation: a beam, and a crease where two triangles meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Side {
     /// Its ends, nodes 3 and 4 of a crease: the first triangle, counterclockwise, runs from the first to the second.
     pub nodes: [NodeId; 2],
@@ -49,27 +50,28 @@ pub(super) fn build(
         if let Mention::Edge(e) = group[0].1 {
             side_of_edge[e as usize] = SideId::new(i);
         }
-        side(group, triangles, edges).map_err(|problem| {
-            let [a, b] = group[0].0.map(|n| vertex_of_node[n.index()].0);
-            Error::invalid(format!("the side between vertices {a} and {b}"), problem.0, problem.1)
+        side(group, triangles, edges).map_err(|(code, problem, expected)| {
+            let ends = group[0].0.map(|n| vertex_of_node[n.index()]);
+            Error::new(code, Place::Vertices(ends.to_vec()), problem, expected)
         })
     });
     let sides = sides.collect::<Result<_, _>>()?;
     Ok((sides, side_of_edge))
 }
 
-/// The side that `group` mentions; an error is the problem and what was expected.
+/// The side that `group` mentions; an error is its kind, the problem and what was expected.
 fn side(
     group: &[([NodeId; 2], Mention)],
     triangles: &[[NodeId; 3]],
     edges: &[(EdgeId, [NodeId; 2])],
-) -> Result<Side, (&'static str, &'static str)> {
+) -> Result<Side, (ErrorCode, &'static str, &'static str)> {
     let ends = group[0].0;
     let mut side = Side { nodes: ends, triangles: [None; 2], apexes: [None; 2], edge: None };
     for (_, mention) in group {
         match *mention {
             Mention::Edge(_) if side.edge.is_some() => {
-                return Err(("two edges lie there", "one edge, the other its alias"));
+                let problem = "two edges lie between them";
+                return Err((ErrorCode::EdgeTwice, problem, "one edge, the other its alias"));
             }
             Mention::Edge(e) => {
                 side.edge = Some(edges[e as usize].0);
@@ -78,17 +80,18 @@ fn side(
             Mention::Triangle { triangle, corner } => {
                 let corners = &triangles[triangle as usize];
                 let ends = ends_of(corners, corner);
-                let place = usize::from(side.triangles[0].is_some());
-                if place == 0 {
+                let hand = usize::from(side.triangles[0].is_some());
+                if hand == 0 {
                     side.nodes = ends;
                 } else if side.triangles[1].is_some() || side.nodes == ends {
                     return Err((
-                        "more than two triangles meet there, or two lie on the same side of it",
+                        ErrorCode::EdgeOfManyFaces,
+                        "more than two triangles meet at the line between them, or two lie on the same side of it",
                         "at most one triangle on each side",
                     ));
                 }
-                side.triangles[place] = Some(TriangleId(triangle));
-                side.apexes[place] = Some(corners[usize::from(corner)]);
+                side.triangles[hand] = Some(TriangleId(triangle));
+                side.apexes[hand] = Some(corners[usize::from(corner)]);
             }
         }
     }
@@ -101,7 +104,7 @@ fn ends_of(corners: &[NodeId; 3], corner: u8) -> [NodeId; 2] {
     [corners[(c + 1) % 3], corners[(c + 2) % 3]]
 }
 
-/// The same for both directions.
+/// The ends in ascending order: one key for both directions.
 fn key([a, b]: [NodeId; 2]) -> [NodeId; 2] {
     if a <= b { [a, b] } else { [b, a] }
 }

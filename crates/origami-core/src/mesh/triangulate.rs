@@ -6,15 +6,16 @@ use std::collections::HashSet;
 
 use glam::{DVec2, DVec3};
 
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place};
 use crate::ids::{FaceId, VertexId};
 use crate::pattern::CreasePattern;
-use crate::pattern::places::Places;
 use crate::pattern::plane::{Plane, SLIVER, area_vector, flatness, unit_scale};
+use crate::pattern::point_grid::PointGrid;
 use crate::pattern::region::{self, Fault};
 
 /// The faces of a pattern in triangles, in the order of the faces.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Triangulation {
     /// Corners, in the orientation of the face.
     pub triangles: Vec<[VertexId; 3]>,
@@ -24,7 +25,7 @@ pub struct Triangulation {
 
 /// Diagonals as long as each other but for this share are a tie.
 const TIE: f64 = 1e-9;
-/// Corners nearer than this, in sizes of the pattern, are at one place (the two lips of a slit).
+/// Corners nearer than this, in sizes of the pattern, are at one position (the two lips of a slit).
 const ONE_PLACE: f64 = 1e-12;
 /// Faces smaller than this, in squared sizes, have no area.
 const SMALLEST: f64 = 1e-14;
@@ -37,19 +38,22 @@ const SMALLEST: f64 = 1e-14;
 pub fn triangulate(pattern: &CreasePattern) -> Result<Triangulation, Error> {
     let size = pattern.size();
     if !(size > 0.0 && size.is_finite()) {
-        return Err(Error::invalid("vertices_coords", format!("the pattern is {size} in size"), "a positive size"));
+        let (place, problem) = (Place::key("vertices_coords"), format!("the pattern is {size} in size"));
+        return Err(Error::new(ErrorCode::SheetSize, place, problem, "a positive size"));
     }
     let flat = pattern.is_flat();
     let scale = unit_scale(size);
     let points: Vec<DVec3> = pattern.vertices.iter().map(|&vertex| vertex * scale).collect();
     let mut result = Triangulation::default();
     for (index, face) in pattern.faces.iter().enumerate() {
-        let refuse =
-            |problem: String, expected: &str| Error::invalid(format!("faces_vertices[{index}]"), problem, expected);
-        let broken = |fault: Fault| refuse(format!("the face {fault}"), "a simple polygon");
+        let refuse = |code, problem: String, expected: &str| {
+            Error::new(code, Place::entry("faces_vertices", index), problem, expected)
+        };
+        let broken = |fault: Fault| refuse(ErrorCode::FaceNotSimple, format!("the face {fault}"), "a simple polygon");
         let place = |vertex: &VertexId| points.get(vertex.index()).copied();
         let corners: Option<Vec<DVec3>> = face.iter().map(place).collect();
-        let corners = corners.ok_or_else(|| refuse("names a vertex that does not exist".into(), "vertices"))?;
+        let missing = || refuse(ErrorCode::NoSuchVertex, "names a vertex that does not exist".into(), "vertices");
+        let corners = corners.ok_or_else(missing)?;
         let triangles = match corners.as_slice() {
             [_, _, _] => vec![[0, 1, 2]],
             [a, b, c, d] => quadrilateral([*a, *b, *c, *d], flat).map_err(broken)?.into(),
@@ -60,7 +64,10 @@ pub fn triangulate(pattern: &CreasePattern) -> Result<Triangulation, Error> {
                 }
                 triangles
             }
-            _ => return Err(refuse(format!("has {} corners", corners.len()), "three or more")),
+            _ => {
+                let problem = format!("has {} corners", corners.len());
+                return Err(refuse(ErrorCode::FaceOfFewCorners, problem, "three or more"));
+            }
         };
         result.face_of.extend(std::iter::repeat_n(FaceId::new(index), triangles.len()));
         result.triangles.extend(triangles.into_iter().map(|corners| corners.map(|corner| face[corner])));
@@ -99,18 +106,18 @@ fn polygon(corners: &[DVec3], flat: bool) -> Result<Vec<Corners>, Fault> {
     }
     let plane = Plane::new(normal, flat);
     let mut points: Vec<DVec2> = corners.iter().map(|&corner| plane.project(corner)).collect();
-    let mut places = Places::new(points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p)), ONE_PLACE, points.len());
+    let mut grid = PointGrid::new(points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p)), ONE_PLACE, points.len());
     for corner in 0..points.len() {
-        match places.find(points[corner]) {
+        match grid.find(points[corner]) {
             Some(first) => points[corner] = points[first as usize],
-            None => places.insert(corner as u32, points[corner]),
+            None => grid.insert(corner as u32, points[corner]),
         }
     }
     region::triangulate(&[points])
 }
 
 /// Whether each side of the face is a side of a triangle. It is not where parts of a face hang together by two vertices
-/// at one place.
+/// at one position.
 fn has_all_sides(face: &[VertexId], triangles: &[Corners]) -> bool {
     let sides: HashSet<[VertexId; 2]> = triangles
         .iter()

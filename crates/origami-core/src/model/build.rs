@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Beam, CornerAngles, Crease, DEGENERATE, Inventory, Material, Model, Sheet, StiffnessSource};
-use crate::error::{Error, Short};
+use crate::error::{Error, ErrorCode, Place, Short};
 use crate::ids::{NodeId, SideId, TriangleId};
 use crate::mesh::{Mesh, Side};
 use crate::pattern::{Assignment, CreasePattern, PatternEdge, fold_angle};
@@ -45,9 +45,9 @@ fn beams(pattern: &CreasePattern, mesh: &Mesh, material: &Material, rest: &[DVec
         let ea = own.unwrap_or(material.ea);
         let stiffness = ea / rest_length;
         if !(stiffness.is_finite() && stiffness > 0.0) {
-            let [a, b] = [i, j].map(|n| mesh.vertex_of_node[n.index()].0);
-            return Err(Error::invalid(
-                format!("vertices_coords[{a}] and vertices_coords[{b}]"),
+            return Err(Error::new(
+                ErrorCode::EdgeWithoutLength,
+                Place::Vertices([i, j].map(|n| mesh.vertex_of_node[n.index()]).to_vec()),
                 format!(
                     "the edge between them has length {} of the sheet's radius and rigidity {}",
                     Short(rest_length),

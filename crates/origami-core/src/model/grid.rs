@@ -5,6 +5,7 @@ use super::Material;
 /// Values of each number of a [`Material`]; every combination of them is a material. Each list has the default alone
 /// unless told otherwise.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct MaterialGrid {
     /// Values of [`Material::ea`].
     pub ea: Vec<f64>,

@@ -4,15 +4,17 @@ use crate::error::Error;
 
 /// Stiffness of the sheet. All numbers hold for a sheet scaled to radius 1 with nodes of mass 1 (see [`super::Normalisation`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Material {
     /// Axial rigidity EA of the beams, a force; a beam of rest length l0 has stiffness EA / l0 (paper 2.2).
     /// Higher: less strain, smaller time steps, slower convergence. Default 20. Greater than 0.
     pub ea: f64,
-    /// Stiffness of mountain and valley creases per unit of length (paper 2.3), a force per radian.
+    /// Stiffness of mountain and valley creases (paper 2.3): a moment per radian and per unit of length, that is a force per
+    /// radian.
     /// Higher: creases come nearer to their target angles, at the price of strain. Default 0.7. At least 0; 0 leaves them out.
     pub k_fold: f64,
-    /// Stiffness of facet creases per unit of length, a force per radian. Higher: flatter facets. Default 0.7.
-    /// At least 0; 0 leaves them out.
+    /// Stiffness of facet creases: a moment per radian and per unit of length, that is a force per radian. Higher: flatter
+    /// facets. Default 0.7. At least 0; 0 leaves them out.
     pub k_facet: f64,
     /// Stiffness of the corner angles of triangles (paper 2.4), a moment per radian. Not scaled with length: on fine meshes
     /// (edges under 0.02 of the radius) it overtakes the beams. Higher: less shear. Default 0.2. At least 0; 0 leaves them out.

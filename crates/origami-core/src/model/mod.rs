@@ -19,10 +19,10 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use crate::error::Error;
 use crate::ids::{CreaseId, EdgeId, NodeId, VertexId};
+use crate::parallel;
 use crate::pattern::CreasePattern;
 
 /// Heights and lengths under this many radii carry no hinge and no corner angle: their forces grow as 1 / height, and
@@ -64,9 +64,9 @@ impl Model {
     /// As for [`Model::new`], of the first material that has one.
     pub fn of_each(pattern: &CreasePattern, materials: &[Material]) -> Result<Vec<Self>, Error> {
         let sheet = Arc::new(Sheet::new(pattern)?);
-        let models = materials.par_iter().map(|material| build::build(pattern, Arc::clone(&sheet), material));
-        // Collected at once, rayon would give any of several errors.
-        models.collect::<Vec<_>>().into_iter().collect()
+        let models = parallel::map(materials, |_, material| build::build(pattern, Arc::clone(&sheet), material));
+        // Of several errors the first.
+        models.into_iter().collect()
     }
 
     /// How many nodes there are.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::error::Error;
+use crate::error::{Error, ErrorCode, Place};
 
 /// Maps file coordinates to a sheet whose farthest node lies at distance 1 from the centre of its bounding box.
 ///
@@ -29,7 +29,8 @@ impl Normalisation {
         if radius.is_finite() && radius > 0.0 && centre.is_finite() {
             Ok(Self { centre, radius })
         } else {
-            Err(Error::invalid("vertices_coords", format!("the sheet has radius {radius}"), "a finite radius above 0"))
+            let (place, problem) = (Place::key("vertices_coords"), format!("the sheet has radius {radius}"));
+            Err(Error::new(ErrorCode::SheetSize, place, problem, "a finite radius above 0"))
         }
     }
 

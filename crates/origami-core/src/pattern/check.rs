@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Assignment, CreasePattern};
+use super::crease_pattern::{Assignment, CreasePattern};
 use crate::ids::VertexId;
 
 impl CreasePattern {

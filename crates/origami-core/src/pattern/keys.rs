@@ -1,10 +1,12 @@
 //! Keys of our own in FOLD files, all optional.
 
-/// For each edge the stiffness of its crease per unit of length in place of the material's, or `null`.
+/// For each edge the stiffness of its crease in place of the material's (a force per radian), or `null`.
 pub const K_CREASE: &str = "edges_origami:k_crease";
 /// For each edge its axial rigidity in place of the material's, or `null`.
 pub const EA: &str = "edges_origami:ea";
 /// For each edge its fold angle in degrees as it is, where FOLD's range from -180 to 180 cannot hold it.
 pub const FOLD_ANGLE: &str = "edges_origami:foldAngle";
+/// How far a folded frame was asked to fold, in percent of all fold angles.
+pub const PERCENT: &str = "origami:percent";
 /// For each vertex whether it stays where it is.
 pub const FIXED: &str = "vertices_origami:fixed";

@@ -1,142 +1,16 @@
 //! The crease pattern: a sheet of simple polygons and lettered edges, cleaned of what files get wrong.
 //!
-//! [`CreasePattern::from_frame`] goes through these steps, one file each: read letters, angles and overrides; take the
-//! faces that the file gives and orient them, or build them from the planar graph (merge, split, trace, tell paper from
-//! holes); settle letters and angles; open the cuts.
+//! [`CreasePattern::from_frame`] makes one from a frame of a FOLD file, [`CreasePattern::read`] from a file.
 
-mod angles;
-mod boxes;
-mod build;
 mod check;
-mod cuts;
+mod clean;
+mod crease_pattern;
 mod dihedral;
-mod draft;
-mod faces_given;
 pub mod keys;
-mod letters;
-mod loops;
-mod near;
-mod notes;
-mod orient;
-mod overrides;
-mod paper;
-pub(crate) mod places;
-mod planar;
 pub(crate) mod plane;
+pub(crate) mod point_grid;
 mod read;
 pub(crate) mod region;
-mod rings;
-mod sides;
-mod table;
 
+pub use crease_pattern::{Assignment, CreasePattern, PatternEdge};
 pub use dihedral::fold_angle;
-
-use glam::DVec3;
-
-use crate::error::{Error, Warning};
-use crate::fold::Frame;
-use crate::ids::{EdgeId, VertexId};
-
-/// What a line of the pattern is (FOLD's `edges_assignment`; paper section 2.1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Assignment {
-    /// `B`: one side is not paper. Cut edges (`C`) become pairs of these.
-    Boundary,
-    /// `M`: folds away from the viewer, negative angles.
-    Mountain,
-    /// `V`: folds towards the viewer, positive angles.
-    Valley,
-    /// `F`: stays flat, with a spring.
-    Flat,
-    /// `U`: a hinge without a spring.
-    Unassigned,
-    /// `J`: the two faces are one; what a triangulation adds. Folds as [`Assignment::Flat`].
-    Join,
-}
-
-impl Assignment {
-    /// Its letter in a FOLD file.
-    #[must_use]
-    pub const fn letter(self) -> &'static str {
-        match self {
-            Self::Boundary => "B",
-            Self::Mountain => "M",
-            Self::Valley => "V",
-            Self::Flat => "F",
-            Self::Unassigned => "U",
-            Self::Join => "J",
-        }
-    }
-}
-
-/// One edge of a [`CreasePattern`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct PatternEdge {
-    /// Its ends, in the file's order.
-    pub vertices: [VertexId; 2],
-    /// Its letter.
-    pub assignment: Assignment,
-    /// Fold angle at 100 %, in radians, valley positive. `None`: nothing drives it (free, or no crease at all).
-    pub fold_angle: Option<f64>,
-    /// Crease stiffness per unit of length in place of the material's (`edges_origami:k_crease`; dimensionless, as `k_fold`).
-    pub k_crease: Option<f64>,
-    /// Axial rigidity in place of the material's (`edges_origami:ea`; as `ea`).
-    pub ea: Option<f64>,
-    /// The edge that stands for this one, where the file has it twice (or it vanished in a merge).
-    pub alias_of: Option<EdgeId>,
-}
-
-/// A crease pattern in the file's units. Its first vertices, edges and faces are numbered as in the file.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct CreasePattern {
-    /// Positions at rest, in the file's unit of length. All rest lengths and angles come from these.
-    pub vertices: Vec<DVec3>,
-    /// The vertex that stands for this one, where several lay at one place and were merged.
-    pub alias_of: Vec<Option<VertexId>>,
-    /// Lettered edges.
-    pub edges: Vec<PatternEdge>,
-    /// Polygons, counterclockwise seen from the side that letters and angles are meant for. No two corners of one face
-    /// at one place, except where a slit or dangling crease makes its loop touch itself.
-    pub faces: Vec<Vec<VertexId>>,
-    /// Vertices that do not move (`vertices_origami:fixed`).
-    pub fixed: Vec<VertexId>,
-    /// How many vertices the file has; later ones were added (crossings, both lips of a cut).
-    pub vertices_in_file: usize,
-    /// How many edges the file has; later ones were added.
-    pub edges_in_file: usize,
-    /// What was odd in the file and put right.
-    pub warnings: Vec<Warning>,
-}
-
-impl CreasePattern {
-    /// The crease pattern that `frame` describes, with parents already resolved.
-    ///
-    /// What files get wrong is put right, each time with a [`Warning`] that names the place, or refused:
-    /// - Letters: lower case is accepted, an unknown letter counts as `U`. Without letters they follow from the fold
-    ///   angles; an edge of one face is boundary. A letter other than `B` on the contour becomes `B`.
-    /// - Angles: without them M folds to -180 degrees, V to 180, F and J to 0. A `null` is a free crease. On a sheet that
-    ///   is not flat, missing angles are measured from the coordinates.
-    /// - Faces that the file gives are turned to agree with their neighbours. Missing faces are built, on flat patterns,
-    ///   from the lines: vertices nearer than two millionths of the size are merged, lines are split where they cross
-    ///   or where a vertex lies on them, and the regions inside the boundary edges, less the holes, are the paper.
-    /// - The sheet comes apart along cuts (`C`): they become pairs of boundary edges, with copies of the vertices.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] for what has no sensible reading: arrays of unequal length, indices out of range, edges of no
-    /// length, edges of three faces, a sheet that cannot be oriented, no faces at all.
-    pub fn from_frame(frame: &Frame) -> Result<Self, Error> {
-        build::build(frame)
-    }
-
-    /// The longest side of the box, along the axes, that holds all vertices; 0 without vertices. In the file's unit.
-    #[must_use]
-    pub fn size(&self) -> f64 {
-        plane::extent(&self.vertices).max_element()
-    }
-
-    /// Whether all vertices lie at one height z, to a billionth of the [`size`](Self::size).
-    #[must_use]
-    pub fn is_flat(&self) -> bool {
-        plane::is_flat(&self.vertices)
-    }
-}

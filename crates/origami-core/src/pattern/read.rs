@@ -1,18 +1,39 @@
-//! From files to patterns in one call.
+//! From files and their frames to patterns.
 
-use std::path::Path;
-
-use super::CreasePattern;
+use super::clean;
+use super::crease_pattern::CreasePattern;
 use crate::error::Error;
-use crate::fold::Document;
+use crate::fold::{Document, Frame};
 
 impl CreasePattern {
-    /// The crease pattern in a FOLD file: that of its first frame with vertex positions. Who wants to write a FOLD file
-    /// that keeps what else is in this one reads the [`Document`] first and takes [`from_document`](Self::from_document).
+    /// The crease pattern that `frame` describes, with parents already resolved.
+    ///
+    /// Mistakes in the file are put right, each kind with a [`Warning`] that names the first place, or refused:
+    /// - Letters: lower case is accepted, an unknown letter counts as `U`. Without letters they follow from the fold
+    ///   angles; an edge of one face is boundary. A letter other than `B` on the contour becomes `B`.
+    /// - Angles: without them M folds to -180 degrees, V to 180, F and J to 0. A `null` is a free crease. On a sheet that
+    ///   is not flat, missing angles are measured from the coordinates.
+    /// - Faces that the file gives are turned to agree with their neighbours. Missing faces are built, on flat patterns,
+    ///   from the lines: vertices nearer than two millionths of the size are merged, lines are split where they cross
+    ///   or where a vertex lies on them, and the regions inside the boundary edges, less the holes, are the paper.
+    /// - The sheet comes apart along cuts (`C`): they become pairs of boundary edges, with copies of the vertices.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for what has no sensible reading: arrays of unequal length, indices out of range, edges of no
+    /// length, edges of three faces, a sheet that cannot be oriented, no faces at all.
+    pub fn from_frame(frame: &Frame) -> Result<Self, Error> {
+        clean::pattern(frame)
+    }
+
+    /// The crease pattern in the first frame of a FOLD file that has vertex positions. Needs the feature `files`.
+    ///
+    /// To write a FOLD file that keeps what else is in this one, read the [`Document`] first and take
+    /// [`from_document`](Self::from_document).
     ///
     /// # Errors
     /// As for [`Document::read`], [`Document::pattern_frame`] and [`CreasePattern::from_frame`].
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+    #[cfg(feature = "files")]
+    pub fn read(path: impl AsRef<std::path::Path>) -> Result<Self, Error> {
         let document = Document::read(path)?;
         Self::from_document(&document, document.pattern_frame()?)
     }
@@ -28,7 +49,7 @@ impl CreasePattern {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "files"))]
 mod tests {
     use super::*;
 
@@ -46,9 +67,9 @@ mod tests {
         std::fs::write(file.path(), TEXT).unwrap();
         let pattern = CreasePattern::read(file.path()).unwrap();
         assert_eq!(pattern.faces.len(), 2);
-        let places: Vec<&str> = pattern.warnings.iter().map(|w| w.place.as_str()).collect();
+        let places: Vec<String> = pattern.warnings.iter().map(|w| w.place.to_string()).collect();
         assert_eq!(places[0], "file_frames[0].edges_foldAngles", "{places:?}");
-        assert!(places[1..].contains(&"edges_assignment[4]"), "{places:?}");
+        assert!(places[1..].iter().any(|place| place == "edges_assignment[4]"), "{places:?}");
     }
 
     #[test]

@@ -17,7 +17,7 @@ type Directed<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), CdtEdge<()>, ()>;
 pub(crate) enum Fault {
     /// Two sides cross, or the outline winds around twice.
     Crosses,
-    /// A corner lies on a side, or two corners in a row at one place.
+    /// A corner lies on a side, or two corners in a row at one position.
     Touches,
 }
 
@@ -35,9 +35,9 @@ const NONE: u32 = u32::MAX;
 const MANY: usize = 1000;
 
 /// Triangles of the region to the left of `outlines`: one counterclockwise outline, and a clockwise one around each
-/// island. Numbers are those of the corners, counted through all outlines.
+/// island. Corners are numbered through all outlines.
 ///
-/// Outlines may visit a place several times, and run along a line twice, to and fro (a slit, a dangling crease). Then
+/// Outlines may visit a position several times, and run along a line twice, to and fro (a slit, a dangling crease). Then
 /// each triangle names the visit that it belongs to; only where two parts hang together by one point, which visit is
 /// named is not defined. Coordinates must be near one in size.
 pub(crate) fn triangulate(outlines: &[Vec<DVec2>]) -> Result<Vec<[usize; 3]>, Fault> {

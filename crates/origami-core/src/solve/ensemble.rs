@@ -2,10 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use rayon::prelude::*;
-
 use super::{Failed, Folded, Progress, Solver, State};
 use crate::model::Model;
+use crate::parallel;
 use crate::scene::Scene;
 
 /// One sheet of an ensemble.
@@ -25,9 +24,8 @@ pub(super) fn over_threads<S: Solver + ?Sized>(
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
 ) -> Vec<Result<Folded, Failed>> {
-    let fold = |(i, instance): (usize, &Instance<'_>)| {
+    let fold = |i: usize, instance: &Instance<'_>| {
         solver.fold(instance.model, &instance.start, &instance.scene, &mut |progress| observe(i, progress))
     };
-    // One at a time: some take a hundred times as long as others.
-    instances.par_iter().enumerate().with_max_len(1).map(fold).collect()
+    parallel::map(instances, fold)
 }

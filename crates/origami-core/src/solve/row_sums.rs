@@ -7,12 +7,12 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use crate::forces::corner_angles::Triangle;
 use crate::forces::creases::hinge;
 use crate::ids::NodeId;
 use crate::model::{CornerAngles, Crease, Model};
+use crate::parallel;
 use crate::scene::Force;
 
 /// Springs whose shares are found before they are added up.
@@ -108,7 +108,7 @@ fn add<S: Sync, const N: usize>(
     }
     let mut found = Vec::with_capacity(BLOCK.min(springs.len()));
     for block in springs.chunks(BLOCK) {
-        block.par_iter().with_min_len(BLOCK / 4).map(&of).collect_into_vec(&mut found);
+        parallel::map_into(block, BLOCK / 4, &of, &mut found);
         for (spring, shares) in block.iter().zip(&found) {
             add_one(nodes(spring), *shares, sums);
         }

@@ -2,11 +2,10 @@
 
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc;
 
 use super::Progress;
 use crate::model::Model;
+use crate::parallel;
 
 /// Each thread has at least so many nodes: below twice as many one thread is alone. With two threads steps of 529 nodes gain
 /// nothing, those of 1 024 up to a third (`cargo bench --bench cpu_step`); whether they do at the moment, a clock tells.
@@ -15,19 +14,13 @@ pub const NODES_A_THREAD: usize = 512;
 /// How many threads step `model`: as many as `asked`, or as the pool has. One where this is already a thread of a pool, as in
 /// a batch: the others have sheets of their own.
 pub(super) fn count(model: &Model, asked: Option<NonZeroUsize>) -> usize {
-    if let Some(asked) = asked {
-        return asked.get();
-    }
     let most = model.node_count() / NODES_A_THREAD;
-    if most < 2 || rayon::current_thread_index().is_some() {
-        return 1;
-    }
-    most.min(rayon::current_num_threads())
+    asked.map_or_else(|| if most < 2 { 1 } else { most.min(parallel::free_threads()) }, NonZeroUsize::get)
 }
 
 /// Does `work` on the threads of the pool, of which the calling one may be none; without them where one is enough.
 pub(super) fn in_pool<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
-    if threads == 1 { work() } else { rayon::scope(|_| work()) }
+    if threads == 1 { work() } else { parallel::on_pool(work) }
 }
 
 /// Does `work`, which is told how many threads there are, and is one of them itself; the calling thread goes on telling
@@ -40,24 +33,5 @@ pub(super) fn share<T: Send>(
     if threads == 1 {
         return work(1, observe);
     }
-    let (sender, receiver) = mpsc::channel();
-    let broken = AtomicBool::new(false);
-    let mut result = None;
-    rayon::in_place_scope(|scope| {
-        scope.spawn(|_| {
-            let sender = sender;
-            let mut tell = |progress| {
-                // Nobody listens where `observe` panicked, which is seen when the work is done.
-                let _ = sender.send(progress);
-                if broken.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            };
-            result = Some(work(threads, &mut tell));
-        });
-        for progress in &receiver {
-            if observe(progress).is_break() {
-                broken.store(true, Ordering::Relaxed);
-            }
-        }
-    });
-    result.expect("a scope ends when all that it spawned has ended")
+    parallel::listen_to(|tell| work(threads, tell), observe)
 }

@@ -6,7 +6,6 @@ use origami_core::CreasePattern;
 use origami_core::fold::{Coordinates, Frame};
 use origami_core::ids::VertexId;
 use origami_core::mesh::triangulate::{Triangulation, triangulate};
-use origami_core::pattern::Assignment;
 
 /// A flat frame; one letter for each edge, or none at all.
 pub fn flat(coords: &[[f64; 2]], edges: &[[u32; 2]], letters: &str, faces: &[&[u32]]) -> Frame {
@@ -54,20 +53,12 @@ pub fn refused(frame: &Frame) -> String {
 
 /// Asserts that a warning names the place and says the words.
 pub fn assert_warned(pattern: &CreasePattern, place: &str, words: &str) {
-    let found = pattern.warnings.iter().any(|w| w.place == place && w.message.contains(words));
+    let found = pattern.warnings.iter().any(|w| w.place.to_string() == place && w.message.contains(words));
     assert!(found, "no warning at {place} saying {words:?} in {:#?}", pattern.warnings);
 }
 
 pub fn letters(pattern: &CreasePattern) -> String {
-    let letter = |assignment| match assignment {
-        Assignment::Boundary => 'B',
-        Assignment::Mountain => 'M',
-        Assignment::Valley => 'V',
-        Assignment::Flat => 'F',
-        Assignment::Unassigned => 'U',
-        Assignment::Join => 'J',
-    };
-    pattern.edges.iter().map(|edge| letter(edge.assignment)).collect()
+    pattern.edges.iter().map(|edge| edge.assignment.letter()).collect()
 }
 
 /// Fold angle of an edge, in degrees.

@@ -33,9 +33,9 @@ impl LineKind {
         match (edge.assignment, edge.fold_angle) {
             (Assignment::Boundary, _) => Self::Boundary,
             (Assignment::Flat | Assignment::Join, _) => Self::Facet,
-            (Assignment::Unassigned, _) | (_, None) => Self::Undriven,
-            (Assignment::Mountain, _) => Self::Mountain,
-            (Assignment::Valley, _) => Self::Valley,
+            (Assignment::Mountain, Some(_)) => Self::Mountain,
+            (Assignment::Valley, Some(_)) => Self::Valley,
+            _ => Self::Undriven,
         }
     }
 

@@ -2,12 +2,10 @@
 
 use std::time::Instant;
 
-use origami_core::generate::closed_form::{
-    Degree4Mode, KreslingFold, YoshimuraFold, degree4, waterbomb_folds, waterbomb_polar,
-};
 use origami_core::generate::{Degree4, Kresling, Miura, SingleCrease, WaterbombVertex, Yoshimura};
 use origami_core::glam::DVec3;
 use origami_core::measure::{align, closures, edge_fold_angles};
+use origami_core::rigid::{Degree4Mode, KreslingFold, YoshimuraFold, degree4, waterbomb_folds, waterbomb_polar};
 use origami_core::{CreasePattern, Error, Material, Model, Newton, Relax, Solver, State};
 
 use crate::table::{Cell, Column, Table};

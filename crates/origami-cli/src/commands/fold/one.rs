@@ -1,5 +1,6 @@
 //! One input: read, build, solve, write.
 
+use origami::error::WarningCode;
 use origami::export::Template;
 use origami::model::Model;
 use origami::solve::{Failed, Progress, Stop, fold_path};
@@ -10,7 +11,7 @@ use crate::draw::{self, Artist, Brush, Subject};
 use crate::exit::Exit;
 use crate::files::{self, Destination, Format, Input, Sheet, Target};
 use crate::report::{Divergence, Ending, Measured, Note, Report, Run, Scene, Seconds};
-use crate::settings::{Settings, dangers};
+use crate::settings::{Settings, scene_warnings};
 use crate::stopwatch::Stopwatch;
 
 /// How far one input has come.
@@ -67,7 +68,8 @@ fn attempt(
     seconds.build = watch.lap();
 
     let place = settings.backend.place(&settings.method, model.node_count());
-    let mut warnings = dangers(&model, &settings.percents, place.adapter.is_some().then_some(settings.tolerance));
+    let mut warnings =
+        scene_warnings(&model, &settings.percents, place.adapter.is_some().then_some(settings.tolerance));
     told.warnings.extend(warnings.iter().cloned().chain(place.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
     let scene = Scene::new(&pattern, &model, &place.solver.inventory(&model), &warnings);
@@ -114,9 +116,9 @@ fn attempt(
         }
     };
 
-    let frustration = states.last().and_then(|folded| measure::frustration(&model, folded));
-    run.scene.warnings.extend(frustration.iter().map(Note::from));
-    told.warnings.extend(frustration);
+    let strained = states.last().and_then(|folded| measure::strained_at_rest(&model, folded));
+    run.scene.warnings.extend(strained.iter().map(Note::from));
+    told.warnings.extend(strained);
     let frames: Vec<Measured> = states.iter().map(|folded| Measured::new(&model, folded)).collect();
     run.measured = overall(&frames);
     run.frames = settings.animated.then_some(frames);
@@ -142,7 +144,11 @@ fn attempt(
     }
     run.seconds.draw = Some(drawing);
     if let Some(trouble) = artist.brush.trouble() {
-        told.warnings.push(Warning::new("pictures", format!("drawn by the processor, since {trouble}")));
+        told.warnings.push(Warning::new(
+            WarningCode::Fallback,
+            "pictures",
+            format!("drawn by the processor, since {trouble}"),
+        ));
     }
 
     told.summary = Some(summary::line(&run));

@@ -13,7 +13,7 @@ use serde_json::Value;
 
 use crate::files::Input;
 use crate::report::{Note, Scene};
-use crate::settings::dangers;
+use crate::settings::scene_warnings;
 
 /// All of it; parts that could not be reached are absent.
 #[derive(Debug, Default, Serialize)]
@@ -93,7 +93,7 @@ impl Facts {
         self.spoken_warnings.extend_from_slice(&pattern.warnings);
         self.pattern = Some(Pattern::of(&pattern));
         let model = Model::new(&pattern, material)?;
-        self.spoken_warnings.extend(dangers(&model, &[100.0], None));
+        self.spoken_warnings.extend(scene_warnings(&model, &[100.0], None));
         let steps = TimeSteps {
             paper: time_step::paper(&model),
             safe: time_step::safe(&model, &model.rest, Integrator::Euler),

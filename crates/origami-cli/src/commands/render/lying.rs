@@ -2,13 +2,11 @@
 
 use origami::fold::{Document, Frame};
 use origami::glam::DVec3;
+use origami::pattern::keys::PERCENT;
 use origami::{CreasePattern, Error, Material, Model, State};
 
 use crate::args::MapName;
 use crate::files::Input;
-
-/// How far a frame was asked to fold.
-const PERCENT: &str = "origami:percent";
 
 /// A frame, read.
 pub(super) struct Lying {

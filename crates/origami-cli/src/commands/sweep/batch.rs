@@ -12,7 +12,7 @@ use crate::draw::Artist;
 use crate::files::{self, Destination, Sheet, Target};
 use crate::progress::ProgressLine;
 use crate::report::{Divergence, Ending, Measured, Row, Scene, Seconds, Varied};
-use crate::settings::dangers;
+use crate::settings::scene_warnings;
 use crate::stopwatch::Stopwatch;
 
 /// Nodes of all sheets that are held at once: some hundred megabytes, each with a model and states of its own.
@@ -38,7 +38,7 @@ pub(super) struct Done {
     /// The message of the first sheet that diverged.
     pub(super) first_divergence: Option<String>,
     /// What is dangerous about them, each once.
-    pub(super) dangers: Vec<Warning>,
+    pub(super) scene_warnings: Vec<Warning>,
     inventories: Vec<Inventory>,
 }
 
@@ -98,12 +98,12 @@ impl Work<'_> {
         let inventory = self.solver.inventory(model);
         let seen = done.inventories.iter().position(|other| *other == inventory);
         seen.unwrap_or_else(|| {
-            let dangers = dangers(model, &self.sweep.percents, self.on_gpu);
-            let warnings: Vec<Warning> = self.pattern.warnings.iter().chain(&dangers).cloned().collect();
+            let of_scene = scene_warnings(model, &self.sweep.percents, self.on_gpu);
+            let warnings: Vec<Warning> = self.pattern.warnings.iter().chain(&of_scene).cloned().collect();
             done.scenes.push(Scene::new(self.pattern, model, &inventory, &warnings));
-            dangers.into_iter().for_each(|danger| {
-                if !done.dangers.contains(&danger) {
-                    done.dangers.push(danger);
+            of_scene.into_iter().for_each(|warning| {
+                if !done.scene_warnings.contains(&warning) {
+                    done.scene_warnings.push(warning);
                 }
             });
             done.inventories.push(inventory);

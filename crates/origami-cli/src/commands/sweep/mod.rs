@@ -70,7 +70,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     line.finish();
     let done = done.map_err(told)?;
     if !args.quiet {
-        done.dangers.iter().for_each(console::warning);
+        done.scene_warnings.iter().for_each(console::warning);
     }
 
     watch.lap();

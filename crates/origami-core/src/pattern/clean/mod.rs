@@ -1,0 +1,237 @@
+//! From a FOLD frame to a crease pattern, one step a file: read letters, angles and overrides; take the faces that the file
+//! gives and orient them, or build them from the planar graph (merge, split, trace, tell paper from holes); settle letters
+//! and angles; open the cuts.
+
+mod angles;
+mod boxes;
+mod cuts;
+mod draft;
+mod faces_given;
+mod letters;
+mod loops;
+mod near;
+mod notes;
+mod orient;
+mod overrides;
+mod paper;
+mod planar;
+mod rings;
+mod sides;
+
+use glam::DVec3;
+
+use angles::Keys;
+use draft::{Draft, DraftEdge, EdgeMap, GivenAngle, Origin};
+use letters::Letter;
+use notes::Notes;
+use sides::Sides;
+
+use crate::error::{Error, ErrorCode, Place, WarningCode};
+use crate::fold::Frame;
+use crate::ids::{EdgeId, VertexId};
+use crate::pattern::crease_pattern::{CreasePattern, PatternEdge};
+use crate::pattern::{keys, plane};
+
+/// Most entries of an array: leaves room in `u32` for what is appended.
+const MOST: usize = 1 << 27;
+/// Sizes beyond ten to this power, up or down, overflow when lengths are multiplied.
+const RANGE: i32 = 100;
+
+/// The cleaned pattern of a frame.
+pub(super) fn pattern(frame: &Frame) -> Result<CreasePattern, Error> {
+    let mut notes = Notes::default();
+    let vertices = vertices(frame, &mut notes)?;
+    let edges = edges(frame, vertices.len(), &mut notes)?;
+    let in_file = [vertices.len(), edges.len()];
+    let scale = plane::unit_scale(size(&vertices)?);
+    let mut draft = Draft {
+        flat: plane::is_flat(&vertices),
+        points: vertices.iter().map(|&vertex| vertex * scale).collect(),
+        vertex_alias: vec![None; vertices.len()],
+        fixed: overrides::fixed(frame, vertices.len())?,
+        edges,
+        faces: Vec::new(),
+        notes,
+    };
+    let sides = faces(&mut draft, frame)?;
+    note_isolated(&mut draft);
+    let keys = Keys { letters: frame.edges_assignment.is_some(), angles: frame.edges_fold_angle.is_some() };
+    angles::settle(&mut draft, &sides, keys);
+    cuts::open(&mut draft, &sides);
+    Ok(finish(draft, vertices, in_file, scale))
+}
+
+fn vertices(frame: &Frame, notes: &mut Notes) -> Result<Vec<DVec3>, Error> {
+    let coords = frame.vertices_coords.as_deref().unwrap_or_default();
+    if coords.is_empty() {
+        let place = Place::key("vertices_coords");
+        return Err(Error::new(ErrorCode::MissingKey, place, "is missing or empty", "the positions of the vertices"));
+    }
+    countable("vertices_coords", coords.len())?;
+    let dimension = coords[0].dimension;
+    for (index, other) in coords.iter().enumerate().filter(|(_, other)| other.dimension != dimension) {
+        let message = "numbers, the first vertex has another count; a z that is not given is 0";
+        notes.add_with(WarningCode::MixedDimensions, message, || {
+            (Place::entry("vertices_coords", index), format!("has {}", other.dimension))
+        });
+    }
+    let position = |(index, coords): (usize, &crate::fold::Coordinates)| {
+        let finite = coords.position.is_finite().then_some(coords.position);
+        let place = || Place::entry("vertices_coords", index);
+        finite.ok_or_else(|| Error::new(ErrorCode::NotFinite, place(), "is not finite", "numbers"))
+    };
+    coords.iter().enumerate().map(position).collect()
+}
+
+fn countable(key: &'static str, count: usize) -> Result<(), Error> {
+    if count <= MOST {
+        return Ok(());
+    }
+    let (problem, expected) = (format!("has {count} entries"), format!("at most {MOST}"));
+    Err(Error::new(ErrorCode::TooManyEntries, Place::key(key), problem, expected))
+}
+
+fn size(vertices: &[DVec3]) -> Result<f64, Error> {
+    let size = plane::extent(vertices).max_element();
+    let place = || Place::key("vertices_coords");
+    if size == 0.0 {
+        let problem = "all vertices lie at one place";
+        return Err(Error::new(ErrorCode::SheetSize, place(), problem, "a sheet with an area"));
+    }
+    let (least, most) = (10f64.powi(-RANGE), 10f64.powi(RANGE));
+    if (least..=most).contains(&size) {
+        return Ok(size);
+    }
+    Err(Error::new(
+        ErrorCode::SheetSize,
+        place(),
+        format!("the pattern is {size:e} in size"),
+        format!("between {least:e} and {most:e}"),
+    ))
+}
+
+fn edges(frame: &Frame, vertices: usize, notes: &mut Notes) -> Result<Vec<DraftEdge>, Error> {
+    let ends = frame.edges_vertices.as_deref().unwrap_or_default();
+    let count = ends.len();
+    countable("edges_vertices", count)?;
+    let letters = letters::read(frame, count, notes)?;
+    let angles = given_angles(frame, count)?;
+    let k_crease = overrides::edge_numbers(frame, keys::K_CREASE, count, 0.0)?;
+    let ea = overrides::edge_numbers(frame, keys::EA, count, 0.0)?;
+    let mut edges = Vec::with_capacity(count);
+    for (index, &ends) in ends.iter().enumerate() {
+        let place = || Place::entry("edges_vertices", index);
+        if let Some(vertex) = ends.into_iter().find(|&vertex| vertex as usize >= vertices) {
+            let (problem, expected) = (format!("vertex {vertex} does not exist"), format!("numbers below {vertices}"));
+            return Err(Error::new(ErrorCode::NoSuchVertex, place(), problem, expected));
+        }
+        if ends[0] == ends[1] {
+            let problem = format!("joins vertex {} to itself", ends[0]);
+            return Err(Error::new(ErrorCode::EdgeWithoutLength, place(), problem, "two different vertices"));
+        }
+        edges.push(DraftEdge {
+            ends,
+            letter: letters[index],
+            given: angles[index],
+            fold_angle: None,
+            k_crease: k_crease[index],
+            ea: ea[index],
+            alias: None,
+            origin: Origin::File(index as u32),
+        });
+    }
+    Ok(edges)
+}
+
+fn given_angles(frame: &Frame, edges: usize) -> Result<Vec<GivenAngle>, Error> {
+    let Some(angles) = &frame.edges_fold_angle else { return Ok(vec![GivenAngle::Absent; edges]) };
+    letters::same_length("edges_foldAngle", angles.len(), edges)?;
+    let unclamped = overrides::edge_numbers(frame, keys::FOLD_ANGLE, edges, f64::NEG_INFINITY)?;
+    let given = |(index, angle): (usize, &Option<f64>)| match (*angle, unclamped[index]) {
+        (None, _) => Ok(GivenAngle::Free),
+        // FOLD's range ends there: our own key knows how far it really goes.
+        (Some(clamped), Some(degrees)) if clamped.abs() == 180.0 && degrees * clamped > 180.0 * 180.0 => {
+            Ok(GivenAngle::Degrees(degrees))
+        }
+        (Some(degrees), _) if degrees.is_finite() => Ok(GivenAngle::Degrees(degrees)),
+        (Some(_), _) => {
+            let place = Place::entry("edges_foldAngle", index);
+            Err(Error::new(ErrorCode::NotFinite, place, "is not finite", "degrees, or null"))
+        }
+    };
+    angles.iter().enumerate().map(given).collect()
+}
+
+/// Takes the faces that the file gives, or builds them.
+fn faces(draft: &mut Draft, frame: &Frame) -> Result<Sides, Error> {
+    let faces = frame.faces_vertices.as_deref().unwrap_or_default();
+    if faces.is_empty() {
+        if draft.edges.is_empty() {
+            let problem = "is missing or empty, and so is faces_vertices";
+            let place = Place::key("edges_vertices");
+            return Err(Error::new(ErrorCode::MissingKey, place, problem, "edges, or faces, or both"));
+        }
+        if !draft.flat {
+            let problem = "is missing, and the vertices do not lie in one plane of constant z";
+            let place = Place::key("faces_vertices");
+            return Err(Error::new(ErrorCode::MissingKey, place, problem, "the faces of a sheet in space"));
+        }
+        let mut map = planar::arrange(draft)?;
+        let was = if frame.faces_vertices.is_some() { "is empty" } else { "is missing" };
+        return paper::build_faces(draft, &mut map, was);
+    }
+    countable("faces_vertices", faces.iter().map(Vec::len).sum())?;
+    // A line between two faces that a list of edges leaves out is no crease.
+    let unlisted = (!draft.edges.is_empty()).then_some(Letter::Join);
+    let mut map: EdgeMap = faces_given::take(draft, faces)?;
+    let listed = draft.edges.len();
+    let sides = sides::collect(draft, &mut map, unlisted)?;
+    if unlisted.is_some() {
+        let message = "has a side that edges_vertices does not list; between two faces it is taken as flat";
+        for edge in &draft.edges[listed..] {
+            draft
+                .notes
+                .add_with(WarningCode::UnlistedSide, message, || (edge.origin.place("edges_vertices"), String::new()));
+        }
+    }
+    let turned = orient::orient(draft, &sides)?;
+    orient::note_clockwise(draft);
+    if turned { sides::collect(draft, &mut map, unlisted) } else { Ok(sides) }
+}
+
+fn note_isolated(draft: &mut Draft) {
+    let mut used: Vec<bool> = draft.vertex_alias.iter().map(Option::is_some).collect();
+    let ends = draft.edges.iter().filter(|edge| edge.alias.is_none()).flat_map(|edge| edge.ends);
+    ends.for_each(|vertex| used[vertex as usize] = true);
+    for (vertex, _) in used.iter().enumerate().filter(|(_, used)| !**used) {
+        let message = "belongs to no edge and no face; it stays where it is";
+        draft.notes.add(WarningCode::IsolatedVertex, "vertices_coords", vertex, message);
+    }
+}
+
+/// The finished pattern. Vertices of the file keep their exact coordinates.
+fn finish(draft: Draft, mut vertices: Vec<DVec3>, in_file: [usize; 2], scale: f64) -> CreasePattern {
+    vertices.extend(draft.points[vertices.len()..].iter().map(|&point| point / scale));
+    let edge = |edge: DraftEdge| PatternEdge {
+        vertices: edge.ends.map(VertexId),
+        assignment: edge.letter.unwrap_or(Letter::Unassigned).assignment(),
+        fold_angle: edge.fold_angle,
+        k_crease: edge.k_crease,
+        ea: edge.ea,
+        alias_of: edge.alias.map(EdgeId),
+    };
+    let mut edges: Vec<PatternEdge> = draft.edges.into_iter().map(edge).collect();
+    // They were made where the larger ones lay.
+    edges.shrink_to_fit();
+    let live_fixed = |&v: &usize| draft.fixed[v] && draft.vertex_alias[v].is_none();
+    CreasePattern {
+        fixed: (0..vertices.len()).filter(live_fixed).map(VertexId::new).collect(),
+        vertices,
+        alias_of: draft.vertex_alias.into_iter().map(|alias| alias.map(VertexId)).collect(),
+        edges,
+        faces: draft.faces.into_iter().map(|face| face.into_iter().map(VertexId).collect()).collect(),
+        vertices_in_file: in_file[0],
+        edges_in_file: in_file[1],
+        warnings: draft.notes.into_warnings(),
+    }
+}

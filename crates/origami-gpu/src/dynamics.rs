@@ -1,10 +1,13 @@
 //! The paper's motion on a GPU.
 
+use std::ops::ControlFlow;
+
+use origami_core::scene::Held;
 use origami_core::solve::{Dynamics, Failed, Folded, Instance, Integrator, Progress, State, TimeStep, time_step};
 
 use crate::engine::Engine;
 use crate::layout::Control;
-use crate::outcome::{backend, folded, progress};
+use crate::outcome::{backend, checked, folded, placed, progress, refused};
 use crate::purpose::{Dispatch, Purpose};
 use crate::run::Beginning;
 use crate::variant::Scheme;
@@ -20,29 +23,37 @@ pub(crate) fn run(
     dynamics: &Dynamics,
     engine: &mut Engine,
     instances: &[Instance<'_>],
-    observe: &mut dyn FnMut(usize, Progress),
+    observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Vec<Result<Folded, Failed>> {
-    let beginnings: Vec<Beginning<'_>> = instances.iter().map(|i| beginning(dynamics, i)).collect();
+    let mut targets = Vec::with_capacity(instances.len());
+    for instance in instances {
+        match checked(instance) {
+            Ok(own) => targets.push(own),
+            Err(refusal) => return refused(instances, &refusal),
+        }
+    }
+    let beginnings: Vec<Beginning<'_>> =
+        instances.iter().zip(&targets).map(|(i, targets)| beginning(dynamics, i, targets.clone())).collect();
     let mut report = |i: usize, control: &Control| observe(i, progress(control));
     let endings = match engine.run(&beginnings, &mut report) {
         Ok(endings) => endings,
         Err(error) => return instances.iter().map(|i| Err(backend(error.clone(), &i.start, 0))).collect(),
     };
     let scheme = engine.variant.scheme;
-    let came_to = |(instance, ending): (&Instance<'_>, _)| {
-        let targets = instance.model.targets(instance.percent);
-        folded(instance.model, instance.percent, targets, dynamics.steps.is_some(), ending, scheme)
+    let came_to = |((instance, targets), ending): ((&Instance<'_>, Vec<f64>), _)| {
+        folded(instance, targets, dynamics.steps.is_some(), ending, scheme)
     };
-    instances.iter().zip(&endings).map(came_to).collect()
+    instances.iter().zip(targets).zip(&endings).map(came_to).collect()
 }
 
 /// Where an instance begins.
-fn beginning<'m>(dynamics: &Dynamics, instance: &Instance<'m>) -> Beginning<'m> {
+fn beginning<'m>(dynamics: &Dynamics, instance: &Instance<'m>, targets: Vec<f64>) -> Beginning<'m> {
     let model = instance.model;
     Beginning {
         model,
-        state: instance.start.clone(),
-        targets: model.targets(instance.percent),
+        state: placed(instance),
+        held: Held::new(model, &instance.scene),
+        targets,
         ramp: dynamics.ramp,
         limit: dynamics.steps.unwrap_or(dynamics.max_steps),
         tolerance: dynamics.tolerance,
@@ -54,6 +65,7 @@ fn beginning<'m>(dynamics: &Dynamics, instance: &Instance<'m>) -> Beginning<'m> 
                 time_step::renewed(time_step::safe(model, positions, dynamics.integrator), velocities, None)
             }
             TimeStep::Fixed(dt) => dt,
+            _ => time_step::paper(model),
         },
         damping_sum: time_step::damping_sum(model, dynamics.integrator),
     }

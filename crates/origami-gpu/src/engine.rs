@@ -2,7 +2,7 @@
 
 use origami_core::Model;
 use origami_core::model::Material;
-use origami_core::solve::dynamics;
+use origami_core::twins::safe_time_step;
 
 use crate::device::Gpu;
 use crate::error::GpuError;
@@ -207,7 +207,7 @@ fn workgroup_variant(arrays: &SheetArrays, variant: &Variant, purpose: Purpose) 
     let workgroup = most.next_power_of_two().clamp(32, 256) as u32;
     let most = (MOST_ITERATIONS / iterations(arrays, workgroup as usize)) as u64;
     // Whole dispatches fill the interval after which the stopping rule is checked, and that of the safe step's renewal.
-    let renewal = if purpose.safe { dynamics::RENEWAL } else { CHECK_INTERVAL };
+    let renewal = if purpose.safe { safe_time_step::RENEWAL } else { CHECK_INTERVAL };
     let whole = |steps: &u64| CHECK_INTERVAL.is_multiple_of(*steps) && renewal.is_multiple_of(*steps);
     let steps = (1..=CHECK_INTERVAL.min(most)).rev().find(whole)?;
     #[expect(clippy::cast_possible_truncation, reason = "at most a checks")]
@@ -329,7 +329,7 @@ mod tests {
         for faces in [1, 100, 10_000, 40_000, 100_000, 400_000, 4_000_000] {
             arrays.faces.resize(faces, arrays.faces[0]);
             let renewing = workgroup_variant(&arrays, &variant, BY_WORKGROUP).map(|built| u64::from(built.steps));
-            assert!(renewing.is_none_or(|steps| dynamics::RENEWAL.is_multiple_of(steps)), "{renewing:?}");
+            assert!(renewing.is_none_or(|steps| safe_time_step::RENEWAL.is_multiple_of(steps)), "{renewing:?}");
             let constant = Purpose { safe: false, ..BY_WORKGROUP };
             let Some(built) = workgroup_variant(&arrays, &variant, constant) else {
                 assert!(iterations(&arrays, 256) > MOST_ITERATIONS, "{faces} faces: one step would fit");

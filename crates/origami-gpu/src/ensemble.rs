@@ -1,5 +1,7 @@
 //! Many sheets in one run: instances whose springs lie in the same places share one buffer set.
 
+use std::ops::ControlFlow;
+
 use origami_core::model::Model;
 use origami_core::solve::{Failed, Folded, Instance, Progress};
 
@@ -16,7 +18,7 @@ pub(crate) fn fold_all(
     method: Method<'_>,
     purpose: Purpose,
     instances: &[Instance<'_>],
-    observe: &(dyn Fn(usize, Progress) + Sync),
+    observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
 ) -> Vec<Result<Folded, Failed>> {
     let most = |arrays: &SheetArrays| most_instances(gpu, arrays, purpose.scheme);
     in_runs(gpu, method, purpose, instances, observe, most)
@@ -28,7 +30,7 @@ fn in_runs(
     method: Method<'_>,
     purpose: Purpose,
     instances: &[Instance<'_>],
-    observe: &(dyn Fn(usize, Progress) + Sync),
+    observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
     most: impl Fn(&SheetArrays) -> usize,
 ) -> Vec<Result<Folded, Failed>> {
     let mut results: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
@@ -82,6 +84,8 @@ mod tests {
     use origami_core::{Dynamics, Material, Relax, Solver, State};
 
     use super::*;
+    use origami_core::scene::Scene;
+    use origami_core::solve::unwatched;
     use crate::method::GpuMethod;
     use crate::purpose::Dispatch;
     use crate::testing::gpu;
@@ -91,7 +95,7 @@ mod tests {
     }
 
     fn instance(model: &Model, percent: f64) -> Instance<'_> {
-        Instance { model, start: State::perturbed(model, 1e-3, percent.to_bits()), percent }
+        Instance { model, start: State::perturbed(model, 1e-3, percent.to_bits()), scene: Scene::percent(percent) }
     }
 
     fn states(results: Vec<Result<Folded, Failed>>) -> Vec<State> {
@@ -105,7 +109,10 @@ mod tests {
         let purpose = method.method().purpose(dispatch, [&model].into_iter());
         let reported = std::sync::Mutex::new(vec![0; instances.len()]);
         let in_runs_of = |most: usize| {
-            let reported = |i: usize, _| reported.lock().expect("no panic")[i] += 1;
+            let reported = |i: usize, _| {
+                reported.lock().expect("no panic")[i] += 1;
+                ControlFlow::Continue(())
+            };
             states(in_runs(gpu, method.method(), purpose, &instances, &reported, |_| most))
         };
         let at_once = in_runs_of(100);
@@ -117,8 +124,8 @@ mod tests {
         );
         let one_by_one = gpu.with(method.clone()).dispatch(dispatch);
         for (instance, state) in instances.iter().zip(&at_once) {
-            let folded = one_by_one.fold(&model, &instance.start, instance.percent, &mut |_| {}).expect("it holds");
-            assert_eq!(&folded.state, state, "{} %", instance.percent);
+            let folded = one_by_one.fold(&model, &instance.start, &instance.scene, &mut unwatched).expect("it holds");
+            assert_eq!(&folded.state, state, "{:?}", instance.scene.targets);
         }
         assert!(at_once.windows(2).all(|pair| pair[0] != pair[1]), "each has its own");
     }
@@ -169,9 +176,9 @@ mod tests {
         assert_eq!(groups(&instances), [vec![0, 1]], "their own happen to be the first material's");
         let Some(gpu) = gpu() else { return };
         let method = Dynamics { steps: Some(60), ..Dynamics::default() };
-        let states = states(gpu.with(method.clone()).fold_all(&instances, &|_, _| {}));
+        let states = states(gpu.with(method.clone()).fold_all(&instances, &|_, _| ControlFlow::Continue(())));
         for (instance, state) in instances.iter().zip(states) {
-            let cpu = method.fold(instance.model, &instance.start, instance.percent, &mut |_| {}).expect("it holds");
+            let cpu = method.fold(instance.model, &instance.start, &instance.scene, &mut unwatched).expect("it holds");
             let far = crate::paper::testing::farthest(&cpu.state.positions, &state.positions);
             assert!(far < 1e-6, "{far} radii apart");
         }

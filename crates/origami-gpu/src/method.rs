@@ -1,5 +1,7 @@
 //! Which of the core's solvers a GPU can compute.
 
+use std::ops::ControlFlow;
+
 use origami_core::model::Model;
 use origami_core::solve::{Dynamics, Failed, Folded, Instance, Progress, Relax, Solver};
 
@@ -58,7 +60,7 @@ impl Method<'_> {
         self,
         engine: &mut Engine,
         instances: &[Instance<'_>],
-        observe: &mut dyn FnMut(usize, Progress),
+        observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
     ) -> Vec<Result<Folded, Failed>> {
         match self {
             Self::Relax(method) => relax::run(method, engine, instances, observe),

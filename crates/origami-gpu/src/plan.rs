@@ -1,6 +1,6 @@
 //! Which kernels a sheet runs, and how often.
 
-use origami_core::solve::{dynamics, fire, settle};
+use origami_core::twins;
 
 use crate::kernels::{
     Kernel, checkpoint, fire_move, fire_update, fold_angles, integrate, loose_beams, reduce_forces, row_sums,
@@ -9,7 +9,7 @@ use crate::kernels::{
 use crate::variant::Variant;
 
 /// Evaluations between two checks of the stopping rule: its shortest window.
-pub(crate) const CHECK_INTERVAL: u64 = settle::SHORTEST;
+pub(crate) const CHECK_INTERVAL: u64 = twins::settle_decide::SHORTEST;
 
 /// Steps of one submission of a small sheet, and of a large one.
 const BATCH: u64 = 100;
@@ -59,7 +59,7 @@ impl Plan {
                 false => &[&integrate::KERNEL],
             },
             checkpoint: &[&state_bounds::KERNEL, &checkpoint::KERNEL],
-            renewal: if relaxing { fire::RENEWAL } else { dynamics::RENEWAL },
+            renewal: if relaxing { twins::fire_update::RENEWAL } else { twins::safe_time_step::RENEWAL },
         }
     }
 }

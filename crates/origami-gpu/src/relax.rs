@@ -1,12 +1,15 @@
 //! Relaxation on a GPU: the core's attempts, each one run of the engine.
 
+use std::ops::ControlFlow;
+
+use origami_core::scene::Held;
 use origami_core::solve::relax::{Attempt, lower};
 use origami_core::solve::{Failed, Folded, Instance, Progress, Relax};
 
 use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::layout::Control;
-use crate::outcome::{backend, folded, progress};
+use crate::outcome::{backend, checked, folded, progress, refused};
 use crate::purpose::{Dispatch, Purpose};
 use crate::run::Beginning;
 use crate::variant::Scheme;
@@ -21,14 +24,21 @@ pub(crate) fn run(
     relax: &Relax,
     engine: &mut Engine,
     instances: &[Instance<'_>],
-    observe: &mut dyn FnMut(usize, Progress),
+    observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Vec<Result<Folded, Failed>> {
-    let first = |i: &Instance<'_>| relax.first_attempt(i.model, &i.start, i.percent);
-    let mut active: Vec<(usize, Attempt)> = instances.iter().map(first).enumerate().collect();
+    let mut targets = Vec::with_capacity(instances.len());
+    for instance in instances {
+        match checked(instance) {
+            Ok(own) => targets.push(own),
+            Err(refusal) => return refused(instances, &refusal),
+        }
+    }
+    let first = |(i, to): (&Instance<'_>, &Vec<f64>)| relax.first_attempt(i.model, &i.start, to);
+    let mut active: Vec<(usize, Attempt)> = instances.iter().zip(&targets).map(first).enumerate().collect();
     let mut best_so_far: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
     while !active.is_empty() {
         let beginnings: Vec<Beginning<'_>> =
-            active.iter().map(|(i, attempt)| beginning(relax, &instances[*i], *attempt)).collect();
+            active.iter().map(|(i, attempt)| beginning(relax, &instances[*i], &targets[*i], *attempt)).collect();
         let so_far = |i: usize| match &best_so_far[i] {
             Some(Ok(folded)) => folded.steps,
             _ => 0,
@@ -36,7 +46,7 @@ pub(crate) fn run(
         let mut report = |slot: usize, control: &Control| {
             let i = active[slot].0;
             let own = progress(control);
-            observe(i, Progress { step: so_far(i) + own.step, ..own });
+            observe(i, Progress { step: so_far(i) + own.step, ..own })
         };
         let endings = match engine.run(&beginnings, &mut report) {
             Ok(endings) => endings,
@@ -47,13 +57,11 @@ pub(crate) fn run(
         let mut next = Vec::new();
         for ((i, attempt), ending) in active.into_iter().zip(&endings) {
             let instance = &instances[i];
-            let targets = instance.model.targets(instance.percent);
-            let asked = relax.steps.is_some();
-            let came_to = folded(instance.model, instance.percent, targets, asked, ending, Scheme::Relax);
+            let came_to = folded(instance, targets[i].clone(), relax.steps.is_some(), ending, Scheme::Relax);
             let best = match (best_so_far[i].take(), came_to) {
                 (None, came_to) => came_to,
                 // The state at hand is finite: another way that diverges does not take it away.
-                (Some(Ok(one)), Ok(other)) => Ok(lower(instance.model, one, other, attempt.number)),
+                (Some(Ok(one)), Ok(other)) => Ok(lower(instance.model, &instance.scene, one, other, attempt.number)),
                 (Some(one), _) => one,
             };
             if let Ok(folded) = &best
@@ -69,11 +77,12 @@ pub(crate) fn run(
 }
 
 /// Where an attempt begins.
-fn beginning<'m>(relax: &Relax, instance: &Instance<'m>, attempt: Attempt) -> Beginning<'m> {
+fn beginning<'m>(relax: &Relax, instance: &Instance<'m>, targets: &[f64], attempt: Attempt) -> Beginning<'m> {
     Beginning {
         model: instance.model,
-        state: relax.beginning(instance.model, &instance.start, instance.percent),
-        targets: instance.model.targets(instance.percent),
+        state: relax.beginning(instance.model, &instance.start, &instance.scene, targets),
+        held: Held::new(instance.model, &instance.scene),
+        targets: targets.to_vec(),
         ramp: attempt.ramp,
         limit: attempt.limit,
         tolerance: relax.tolerance,

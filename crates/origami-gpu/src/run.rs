@@ -1,11 +1,14 @@
 //! Runs an engine: writes where its instances begin, lets many steps go between two reads, and reads where they end.
 
 use std::collections::VecDeque;
+use std::ops::ControlFlow;
 
 use bytemuck::Pod;
 use glam::DVec3;
 use origami_core::Model;
-use origami_core::solve::{State, fire, row_sums};
+use origami_core::scene::Held;
+use origami_core::solve::{State, row_sums};
+use origami_core::twins::fire_update;
 
 use crate::engine::Engine;
 use crate::error::GpuError;
@@ -21,6 +24,8 @@ const AHEAD: usize = 2;
 pub(crate) struct Beginning<'m> {
     pub(crate) model: &'m Model,
     pub(crate) state: State,
+    /// The nodes that are held.
+    pub(crate) held: Held,
     /// Target angles at the end of the ramp, by crease; it begins at those of `state`.
     pub(crate) targets: Vec<f64>,
     pub(crate) ramp: u32,
@@ -41,6 +46,8 @@ pub(crate) struct Ending {
     pub(crate) creases: Vec<CreaseState>,
     /// The last good state, where it has diverged.
     pub(crate) checkpoint: Option<(Vec<Node>, Vec<f32>)>,
+    /// Whether it was broken off.
+    pub(crate) cancelled: bool,
 }
 
 impl Engine {
@@ -51,7 +58,7 @@ impl Engine {
     pub(crate) fn run(
         &mut self,
         beginnings: &[Beginning<'_>],
-        observe: &mut dyn FnMut(usize, &Control),
+        observe: &mut dyn FnMut(usize, &Control) -> ControlFlow<()>,
     ) -> Result<Vec<Ending>, GpuError> {
         assert!(beginnings.len() <= self.instances, "the engine was built for as many");
         self.load(beginnings)?;
@@ -59,7 +66,7 @@ impl Engine {
         let batch = batch(self.variant.nodes * beginnings.len());
         let mut under_way = VecDeque::new();
         let mut step = 0;
-        let mut running = true;
+        let (mut running, mut cancelled) = (true, false);
         while running && (step < limit || !under_way.is_empty()) {
             if step < limit {
                 let to = (step + batch).min(limit);
@@ -69,16 +76,19 @@ impl Engine {
             if under_way.len() > AHEAD || step == limit {
                 let Some((to, reading)) = under_way.pop_front() else { break };
                 let controls = reading.wait(&self.gpu)?;
-                controls.iter().enumerate().for_each(|(i, control)| observe(i, control));
+                // Instances run together: who breaks one off breaks off all.
+                for (i, control) in controls.iter().enumerate() {
+                    cancelled |= observe(i, control).is_break();
+                }
                 self.check_steps(&controls, to)?;
-                running = controls.iter().any(|c| c.stop == 0 && c.bad_node == NONE);
+                running = !cancelled && controls.iter().any(|c| c.stop == 0 && c.bad_node == NONE);
             }
         }
         // What still is under way finds all instances standing still.
         for (_, reading) in under_way {
             reading.wait(&self.gpu)?;
         }
-        self.endings(beginnings.len())
+        self.endings(beginnings.len(), cancelled)
     }
 
     /// A kernel that was cut short would go unnoticed: a running instance has made all steps that were asked for.
@@ -115,8 +125,8 @@ impl Engine {
                 nodes.push(node);
             }
             let first = nodes.len() - self.variant.nodes;
-            for fixed in &beginning.model.fixed {
-                nodes[first + fixed.index()].fixed_in_place = 1;
+            for (node, _) in beginning.held.iter() {
+                nodes[first + node.index()].fixed_in_place = 1;
             }
             let angles = start.fold_angles.iter().zip(&start.targets).zip(&beginning.targets);
             creases.extend(angles.map(|((angle, start), end)| CreaseState {
@@ -170,7 +180,7 @@ impl Engine {
         reading.wait(&self.gpu)
     }
 
-    fn endings(&self, instances: usize) -> Result<Vec<Ending>, GpuError> {
+    fn endings(&self, instances: usize, cancelled: bool) -> Result<Vec<Ending>, GpuError> {
         let controls: Vec<Control> = self.read(Binding::Control, instances)?;
         let (node_count, crease_count) = (self.variant.nodes, self.variant.creases);
         let nodes: Vec<Node> = self.read(Binding::Nodes, instances * node_count)?;
@@ -185,6 +195,7 @@ impl Engine {
             let own_creases = i * crease_count..(i + 1) * crease_count;
             let bad = control.bad_node != NONE;
             Ending {
+                cancelled,
                 control,
                 nodes: nodes[own_nodes.clone()].to_vec(),
                 creases: creases[own_creases.clone()].to_vec(),
@@ -208,8 +219,8 @@ fn control(beginning: &Beginning<'_>) -> Control {
         stops_when_settled: u32::from(beginning.stops_when_settled),
         distance: f32::INFINITY,
         tolerance: narrow(beginning.tolerance),
-        fire_step: narrow(fire::FIRST_STEP),
-        mixing: narrow(fire::MIXING),
+        fire_step: narrow(fire_update::FIRST_STEP),
+        mixing: narrow(fire_update::MIXING),
         next_step: narrow(beginning.time_step),
         damping_sum: narrow(beginning.damping_sum),
         ea: narrow(material.ea),

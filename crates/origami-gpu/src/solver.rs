@@ -1,6 +1,9 @@
 //! The solvers of the core, computed on a GPU.
 
+use std::ops::ControlFlow;
+
 use origami_core::model::{Inventory, Model};
+use origami_core::scene::Scene;
 use origami_core::solve::{Failed, Folded, Instance, Progress, Session, Solver, State};
 
 use crate::device::Gpu;
@@ -57,10 +60,10 @@ impl<S: GpuMethod> Solver for OnGpu<S> {
         &self,
         model: &Model,
         start: &State,
-        percent: f64,
-        observe: &mut dyn FnMut(Progress),
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
-        self.on(model).fold(start, percent, observe)
+        self.on(model).fold(start, scene, observe)
     }
 
     fn session<'a>(&'a self, model: &'a Model) -> Box<dyn Session + 'a> {
@@ -70,7 +73,7 @@ impl<S: GpuMethod> Solver for OnGpu<S> {
     fn fold_all(
         &self,
         instances: &[Instance<'_>],
-        observe: &(dyn Fn(usize, Progress) + Sync),
+        observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
     ) -> Vec<Result<Folded, Failed>> {
         let purpose = self.purpose(instances.iter().map(|i| i.model));
         ensemble::fold_all(&self.gpu, self.method.method(), purpose, instances, observe)
@@ -100,9 +103,14 @@ impl<S> OnModel<'_, S> {
 }
 
 impl<S: GpuMethod> Session for OnModel<'_, S> {
-    fn fold(&mut self, start: &State, percent: f64, observe: &mut dyn FnMut(Progress)) -> Result<Folded, Failed> {
+    fn fold(
+        &mut self,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Folded, Failed> {
         let engine = self.engine.as_mut().map_err(|error| backend(error.clone(), start, 0))?;
-        let instance = Instance { model: self.model, start: start.clone(), percent };
+        let instance = Instance { model: self.model, start: start.clone(), scene: scene.clone() };
         let mut results = self.method.method().run(engine, &[instance], &mut |_, progress| observe(progress));
         results.pop().expect("one result for one instance")
     }
@@ -132,15 +140,17 @@ mod tests {
             gpu.device().destroy();
         }
         let mut reported = 0;
-        let failed = solver.fold(&model, &start, 60.0, &mut |_| {
+        let scene = Scene::percent(60.0);
+        let failed = solver.fold(&model, &start, &scene, &mut |_| {
             reported += 1;
             if reported == reports {
                 gpu.device().destroy();
             }
+            ControlFlow::Continue(())
         });
         let failed = failed.expect_err("it was lost");
         assert_eq!(failed.last_state(), &start, "what it began with is all that is known");
-        let all = solver.fold_all(&[Instance { model: &model, start: start.clone(), percent: 60.0 }], &|_, _| {});
+        let all = solver.fold_all(&[Instance { model: &model, start: start.clone(), scene }], &|_, _| ControlFlow::Continue(()));
         assert!(matches!(all[0], Err(Failed::Backend { .. })), "it stays lost");
         Some((failed, reported))
     }

@@ -1,7 +1,7 @@
 //! What a sheet's pipelines are specialised to: which parts they are put together from, and which numbers are constants.
 
 use origami_core::model::{DEGENERATE, Material};
-use origami_core::solve::{fire, guard, relax, settle, time_step};
+use origami_core::twins::{checkpoint, fire_update, safe_time_step, settle_decide, state_bounds};
 use origami_shaders as wgsl;
 
 use crate::sheet_arrays::SheetArrays;
@@ -109,27 +109,27 @@ impl Variant {
             ("K_FACE", material.k_face),
             ("ZETA", material.zeta),
             ("DEGENERATE", DEGENERATE),
-            ("HOLD", relax::HOLD),
-            ("FARTHEST", guard::FARTHEST),
-            ("LONGEST_MOVE", guard::LONGEST_MOVE),
-            ("GOOD_POSITION", guard::GOOD_POSITION),
-            ("GOOD_MOVE", guard::GOOD_MOVE),
-            ("SAFE_SHARE", time_step::SAFE_SHARE),
-            ("SAFE_MOVE", time_step::SAFE_MOVE),
-            ("SAFE_GROWTH", time_step::SAFE_GROWTH),
-            ("FIRE_RENEWAL", fire::RENEWAL as f64),
-            ("LONGEST_STEP", fire::LONGEST_STEP),
-            ("SHORTEST_STEP", fire::SHORTEST_STEP),
-            ("LONGER", fire::LONGER),
-            ("SHORTER", fire::SHORTER),
-            ("MIXING", fire::MIXING),
-            ("LESS_MIXING", fire::LESS_MIXING),
-            ("PATIENCE", f64::from(fire::PATIENCE)),
-            ("WINDOWS", f64::from(settle::WINDOWS)),
-            ("SHARE", settle::SHARE),
-            ("SMALL_SHARE", settle::SMALL_SHARE),
-            ("LEAST_CHECKS", settle::LEAST.div_ceil(settle::SHORTEST) as f64),
-            ("SHARE_OF_PAST", settle::SHARE_OF_PAST),
+            ("HOLD", fire_update::HOLD),
+            ("FARTHEST", state_bounds::FARTHEST),
+            ("LONGEST_MOVE", state_bounds::LONGEST_MOVE),
+            ("GOOD_POSITION", checkpoint::GOOD_POSITION),
+            ("GOOD_MOVE", checkpoint::GOOD_MOVE),
+            ("SAFE_SHARE", safe_time_step::SAFE_SHARE),
+            ("SAFE_MOVE", safe_time_step::SAFE_MOVE),
+            ("SAFE_GROWTH", safe_time_step::SAFE_GROWTH),
+            ("FIRE_RENEWAL", fire_update::RENEWAL as f64),
+            ("LONGEST_STEP", fire_update::LONGEST_STEP),
+            ("SHORTEST_STEP", fire_update::SHORTEST_STEP),
+            ("LONGER", fire_update::LONGER),
+            ("SHORTER", fire_update::SHORTER),
+            ("MIXING", fire_update::MIXING),
+            ("LESS_MIXING", fire_update::LESS_MIXING),
+            ("PATIENCE", f64::from(fire_update::PATIENCE)),
+            ("WINDOWS", f64::from(settle_decide::WINDOWS)),
+            ("SHARE", settle_decide::SHARE),
+            ("SMALL_SHARE", settle_decide::SMALL_SHARE),
+            ("LEAST_CHECKS", settle_decide::LEAST.div_ceil(settle_decide::SHORTEST) as f64),
+            ("SHARE_OF_PAST", settle_decide::SHARE_OF_PAST),
         ]
     }
 }

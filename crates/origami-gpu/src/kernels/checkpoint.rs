@@ -23,7 +23,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
 
 #[cfg(test)]
 mod tests {
-    use origami_core::solve::guard::{GOOD_MOVE, GOOD_POSITION};
+    use origami_core::twins::checkpoint::{GOOD_MOVE, GOOD_POSITION};
 
     use super::super::state_bounds;
     use super::*;

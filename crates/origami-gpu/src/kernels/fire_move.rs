@@ -17,7 +17,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
 
 #[cfg(test)]
 mod tests {
-    use origami_core::solve::guard::{FARTHEST, LONGEST_MOVE};
+    use origami_core::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
 
     use super::*;
     use crate::layout::{NONE, Node, vector};

@@ -17,7 +17,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
 
 #[cfg(test)]
 mod tests {
-    use origami_core::solve::fire;
+    use origami_core::twins::fire_update::{Decision, Fire, LONGEST_STEP, Sums, fire_update};
 
     use super::*;
     use crate::layout::Control;
@@ -29,48 +29,15 @@ mod tests {
     /// Relative, over a few dozen decisions of which each rounds.
     const TOLERANCE: f64 = 1e-5;
 
-    /// FIRE as in `origami_core::solve::fire`, without the nodes.
-    #[derive(Clone, PartialEq)]
-    struct Twin {
-        step: f64,
-        mixing: f64,
-        downhill: u32,
-        keep: f64,
-        towards_force: f64,
-        back: f64,
-    }
-
-    impl Twin {
-        fn new() -> Self {
-            Self { step: fire::FIRST_STEP, mixing: fire::MIXING, downhill: 0, keep: 0.0, towards_force: 0.0, back: 0.0 }
-        }
-
-        fn decide(&mut self, [power, speed, pull]: [f64; 3]) {
-            if power < 0.0 {
-                self.step = (self.step * fire::SHORTER).max(fire::SHORTEST_STEP);
-                self.mixing = fire::MIXING;
-                self.downhill = 0;
-                (self.keep, self.towards_force, self.back) = (0.0, self.step, -0.5 * self.step);
-                return;
-            }
-            self.downhill += 1;
-            if self.downhill > fire::PATIENCE {
-                self.step = (self.step * fire::LONGER).min(fire::LONGEST_STEP);
-                self.mixing *= fire::LESS_MIXING;
-            }
-            let turn = if pull > 0.0 { self.mixing * (speed / pull).sqrt() } else { 0.0 };
-            (self.keep, self.towards_force, self.back) = (1.0 - self.mixing, turn + self.step, 0.0);
-        }
-
-        fn is(&self, control: &Control) -> bool {
-            let same = |a: f64, b: f32| (a - f64::from(b)).abs() <= TOLERANCE * a.abs();
-            same(self.step, control.fire_step)
-                && same(self.mixing, control.mixing)
-                && self.downhill == control.downhill
-                && same(self.keep, control.keep)
-                && same(self.towards_force, control.towards_force)
-                && same(self.back, control.back)
-        }
+    /// What the core's twin of the shader has come to.
+    fn is(fire: &Fire, decision: &Decision, control: &Control) -> bool {
+        let same = |a: f64, b: f32| (a - f64::from(b)).abs() <= TOLERANCE * a.abs();
+        same(fire.step, control.fire_step)
+            && same(fire.mixing, control.mixing)
+            && fire.downhill == control.downhill
+            && same(decision.keep, control.keep)
+            && same(decision.towards_force, control.towards_force)
+            && same(decision.back, control.back)
     }
 
     /// Writes sums as parts of equal size.
@@ -90,7 +57,7 @@ mod tests {
     fn decides_as_the_processor() {
         let Some(gpu) = gpu() else { return };
         let bench = bench(&gpu);
-        let mut twin = Twin::new();
+        let (mut twin, mut decided) = (Fire::default(), None);
         // Downhill beyond all patience and to the longest step, uphill to the shortest, then in turns; once at rest.
         let down = std::iter::repeat_n([2.0, 3.0, 5.0], 25);
         let up = std::iter::repeat_n([-1e-3, 0.5, 7.0], 8);
@@ -98,17 +65,19 @@ mod tests {
         for (i, sums) in down.chain(up).chain(turns).enumerate() {
             write_sums(&bench, sums);
             bench.run(&[&KERNEL], false);
-            let before = twin.clone();
-            twin.decide(sums);
+            let [power, speed, pull] = sums;
+            let before = (twin, decided);
+            let decision = fire_update(&mut twin, Sums { power, speed, pull });
+            decided = Some(decision);
             let control = bench.control();
-            assert!(twin.is(&control), "decision {i}: {control:?}");
-            assert!(
-                twin == before || !before.is(&control),
-                "decision {i}: that of the step before is not taken for it"
-            );
+            assert!(is(&twin, &decision, &control), "decision {i}: {control:?}");
+            if let (fire, Some(last)) = before {
+                let same = (fire, last) == (twin, decision);
+                assert!(same || !is(&fire, &last, &control), "decision {i}: that of the step before is not taken for it");
+            }
             assert_eq!(control.step as usize, i + 1);
             if i == 24 {
-                assert_eq!(f64::from(control.fire_step), fire::LONGEST_STEP);
+                assert_eq!(f64::from(control.fire_step), LONGEST_STEP);
             }
         }
     }

@@ -122,7 +122,7 @@ mod tests {
             bench.run(&[&KERNEL], false);
             bench.control().held
         };
-        let hold = origami_core::solve::relax::HOLD;
+        let hold = origami_core::twins::fire_update::HOLD;
         assert_eq!(held_after(Scheme::Relax, 1.01 * hold), 1);
         assert_eq!(held_after(Scheme::Relax, -1.01 * hold), 1);
         assert_eq!(held_after(Scheme::Relax, 0.99 * hold), 0);

@@ -92,7 +92,7 @@ mod tests {
     fn masses_are_renewed_now_and_then_only() {
         let Some(gpu) = gpu() else { return };
         let bench = Bench::new(&gpu, &held(&cases()[3]), Scheme::Relax);
-        let renewal = origami_core::solve::fire::RENEWAL as u32;
+        let renewal = origami_core::twins::fire_update::RENEWAL as u32;
         for (step, renewed) in [(1, false), (renewal - 1, false), (renewal, true), (3 * renewal, true)] {
             bench.change_nodes(|_, node| node.mass = 1.0);
             bench.change_control(|c| c.step = step);

@@ -17,7 +17,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
 
 #[cfg(test)]
 mod tests {
-    use origami_core::solve::settle::{LEAST, SHARE, SHARE_OF_PAST, SHORTEST, SMALL_SHARE, WINDOWS};
+    use origami_core::twins::settle_decide::{LEAST, SHORTEST, Window, Windows, distance};
 
     use super::*;
     use crate::layout::{Control, SETTLED};
@@ -62,32 +62,10 @@ mod tests {
             bench.run(&[&KERNEL], false);
             let got = bench.control().distance;
             assert!((got / wanted - 1.0).abs() < 1e-6, "{found:?}: {got} is not {wanted}");
-        }
-    }
-
-    /// The rule of `origami_core::solve::settle`, checked every [`SHORTEST`] evaluations: windows end at the next check.
-    #[derive(Default)]
-    struct Twin {
-        evaluations: u64,
-        window_ends: u64,
-        settled_windows: u32,
-    }
-
-    impl Twin {
-        fn observe(&mut self, share: f64) -> bool {
-            if self.evaluations == self.window_ends {
-                if self.evaluations > 0 {
-                    self.settled_windows = match share {
-                        share if share < SMALL_SHARE => self.settled_windows + 2,
-                        share if share < SHARE => self.settled_windows + 1,
-                        _ => 0,
-                    };
-                }
-                let window = SHORTEST.max((SHARE_OF_PAST * self.evaluations as f64) as u64);
-                self.window_ends += window.next_multiple_of(SHORTEST);
-            }
-            self.evaluations += SHORTEST;
-            self.settled_windows >= WINDOWS && self.evaluations > LEAST
+            let [largest, least, ahead, change] = found.map(f64::from);
+            let twin = distance(Window { largest, least, ahead, change }, f64::from(TOLERANCE));
+            let same = if twin.is_finite() { (f64::from(got) / twin - 1.0).abs() < 1e-6 } else { got >= 1e30 };
+            assert!(same, "{found:?}: {got} is not the twin's {twin}");
         }
     }
 
@@ -97,16 +75,17 @@ mod tests {
             let (limit, bad_node) = (c.limit, c.bad_node);
             *c = Control { limit, bad_node, tolerance: TOLERANCE, stops_when_settled: 1, ..Control::default() };
         });
-        let mut twin = Twin::default();
+        let mut twin = Windows::default();
         for check in 0..200 {
             let share = share_at(check);
             write(bench, share as f32 * TOLERANCE, 0.0, 0.0, 1.0);
             bench.run(&[&KERNEL], false);
-            let settled = twin.observe(share);
+            let share = (twin.window_ends() && twin.sound).then_some(share);
+            let settled = twin.settle_decide(SHORTEST, share);
             let control = bench.control();
             assert_eq!(control.stop == SETTLED, settled, "check {check}");
-            assert_eq!(control.settled_windows, twin.settled_windows, "check {check}");
-            assert_eq!(u64::from(control.window_end) * SHORTEST, twin.window_ends, "check {check}");
+            assert_eq!(control.settled_windows, twin.settled, "check {check}");
+            assert_eq!(u64::from(control.window_end) * SHORTEST, twin.end, "check {check}");
             if settled {
                 return check;
             }

@@ -1,13 +1,15 @@
 //! The stepping loop.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use glam::DVec3;
 use origami_core::forces::Forces;
 use origami_core::ids::NodeId;
 use origami_core::model::{Built, Inventory, Model};
-use origami_core::solve::guard::{COPY_EVERY, GOOD_MOVE, GOOD_POSITION};
+use origami_core::scene::{Refusal, Scene};
 use origami_core::solve::{Diverged, Failed, Folded, Progress, Stop, TimeStep, time_step};
+use origami_core::twins::checkpoint::{COPY_EVERY, is_good};
 use origami_core::{Solver, State};
 
 use super::layout::{NONE, Status};
@@ -41,19 +43,25 @@ impl Solver for PaperDynamics {
         &self,
         model: &Model,
         start: &State,
-        percent: f64,
-        observe: &mut dyn FnMut(Progress),
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
+        let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
+        if !(scene.supports.is_empty() && scene.has_springs_only()) {
+            let (what, backend, expected) = ("supports, loads and forces", "the paper's five passes", "another solver");
+            return Err(Failed::refused(Refusal::Unsupported { what, backend, expected }, start));
+        }
         let mut read = Read { state: start.clone(), step: 0 };
         let dt = match self.time_step {
             TimeStep::Paper => time_step::paper(model),
             TimeStep::Fixed(dt) => dt,
-            TimeStep::Safe => return Err(read.failed(NoSafeStep)),
+            _ => return Err(read.failed(NoSafeStep)),
         };
         let mut good = read.clone();
-        read.state.targets = model.targets(percent);
+        read.state.targets = targets;
         let sheet = Sheet::new(&self.gpu, model, dt).map_err(|error| read.failed(error))?;
         sheet.write(model, &read.state).map_err(|error| read.failed(error))?;
+        let mut stop = Stop::StepsDone;
         while read.step < self.steps {
             let batch = COPY_EVERY.min(self.steps - read.step) as u32;
             let status = sheet.advance(batch).map_err(|error| read.failed(error))?;
@@ -66,7 +74,10 @@ impl Solver for PaperDynamics {
             if read.is_good(dt) {
                 good.clone_from(&read);
             }
-            observe(Progress { step: read.step, ramp: 1.0, distance: f64::INFINITY });
+            if observe(Progress { step: read.step, ramp: 1.0, distance: f64::INFINITY }).is_break() {
+                stop = Stop::Cancelled;
+                break;
+            }
         }
 
         let mut state = read.state;
@@ -76,8 +87,9 @@ impl Solver for PaperDynamics {
             .iter()
             .map(|f| f.length())
             .fold(0.0, f64::max);
-        let (stop, distance) = (Stop::StepsDone, f64::INFINITY);
-        Ok(Folded { state, percent, stop, steps: read.step, time_step: dt, residual, distance, attempts: 1 })
+        let reactions = forces.reactions().to_vec();
+        let (targets, steps, distance) = (scene.targets.clone(), read.step, f64::INFINITY);
+        Ok(Folded { state, targets, stop, steps, time_step: dt, residual, distance, attempts: 1, reactions })
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
@@ -103,7 +115,7 @@ impl Read {
     /// Whether it is one to go back to.
     fn is_good(&self, dt: f64) -> bool {
         let mut nodes = self.state.positions.iter().zip(&self.state.velocities);
-        nodes.all(|(p, v)| p.length() <= GOOD_POSITION && (*v * dt).length() <= GOOD_MOVE)
+        nodes.all(|(p, v)| is_good(*p, *v * dt))
     }
 }
 
@@ -121,6 +133,7 @@ mod tests {
     use crate::paper::testing;
     use crate::testing::gpu;
     use origami_core::Dynamics;
+    use origami_core::solve::unwatched;
 
     /// How far apart trajectories may be, in radii, after 300 steps. Each step rounds a displacement of up to 1 by 6e-8, and
     /// were all of these errors of one sign, they would add up to 2e-5.
@@ -132,7 +145,7 @@ mod tests {
     }
 
     fn solved(solver: &dyn Solver, model: &Model, percent: f64) -> Folded {
-        solver.fold(model, &State::at_rest(model), percent, &mut |_| {}).expect("it holds")
+        solver.fold(model, &State::at_rest(model), &Scene::percent(percent), &mut unwatched).expect("it holds")
     }
 
     #[test]
@@ -169,7 +182,7 @@ mod tests {
         let Some(gpu) = gpu() else { return };
         let model = testing::miura();
         let (time_step, start) = (TimeStep::Fixed(0.35), State::at_rest(&model));
-        let fold = |solver: &dyn Solver| solver.fold(&model, &start, 60.0, &mut |_| {}).expect_err("too long");
+        let fold = |solver: &dyn Solver| solver.fold(&model, &start, &Scene::percent(60.0), &mut unwatched).expect_err("too long");
         let ours = fold(&PaperDynamics { gpu: gpu.clone(), time_step, steps: 1000 });
         let theirs = fold(&cpu(time_step, 1000));
         let (Failed::Diverged(ours), Failed::Diverged(theirs)) = (ours, theirs) else { panic!("not a divergence") };
@@ -191,7 +204,7 @@ mod tests {
         assert_eq!(folded.state.targets, model.targets(60.0));
         assert!(folded.residual > 0.0);
         let safe = PaperDynamics { gpu, time_step: TimeStep::Safe, steps: 1 };
-        let refused = safe.fold(&model, &State::at_rest(&model), 60.0, &mut |_| {}).expect_err("no such step");
+        let refused = safe.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched).expect_err("no such step");
         assert!(matches!(refused, Failed::Backend { last_read_step: 0, .. }), "{refused}");
     }
 }

@@ -1,7 +1,7 @@
 //! A pass as a kernel.
 
 use origami_core::model::DEGENERATE;
-use origami_core::solve::guard::{FARTHEST, LONGEST_MOVE};
+use origami_core::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
 use origami_shaders::{ANGLE, paper::SHEET};
 
 use super::layout::Slot;

@@ -7,12 +7,12 @@ use std::error::Error;
 use std::fs::File;
 use std::time::Instant;
 
-use origami::gpu::render::Renderer;
+use origami::gpu::render::GpuRenderer;
 use origami::gpu::{AdapterChoice, Gpu};
-use origami::picture::{Line, LineKind, LineSet, Picture, Scene};
+use origami::picture::{Figure, Line, LineKind, LineSet, Picture, Processor, Renderer};
 
 /// A wavy sheet of 2 x `side` x `side` triangles with all its lines.
-fn waves(side: u32) -> Scene {
+fn waves(side: u32) -> Figure {
     let node = |x: u32, y: u32| y * (side + 1) + x;
     let all = |count: u32| (0..count).flat_map(move |y| (0..count).map(move |x| (x, y)));
     let place = |(x, y): (u32, u32)| {
@@ -33,11 +33,11 @@ fn waves(side: u32) -> Scene {
             line([node(x, y), node(x + 1, y + 1)], LineKind::Facet, [Some(first), Some(first + 1)]),
         ]
     };
-    Scene {
+    Figure {
         positions: all(side + 1).map(place).collect(),
         triangles: all(side).flat_map(face).collect(),
         lines: all(side).flat_map(lines).collect(),
-        ..Scene::default()
+        ..Figure::default()
     }
 }
 
@@ -59,19 +59,19 @@ fn timed<T>(what: &str, f: impl FnOnce() -> T) -> T {
 fn main() -> Result<(), Box<dyn Error>> {
     let out = std::env::args().nth(1).unwrap_or_else(|| "large.png".to_owned());
     let gpu = timed("opening the adapter", || Gpu::open(&AdapterChoice::from_env()))?;
-    let renderer = timed("making the pipelines", || Renderer::new(&gpu))?;
-    let scene = waves(224);
-    let shown = scene.lines.iter().filter(|line| LineSet::default().has(line.kind)).count();
-    println!("{}: {} triangles, {shown} lines", gpu.adapter(), scene.triangles.len());
+    let renderer = timed("making the pipelines", || GpuRenderer::new(&gpu))?;
+    let figure = waves(224);
+    let shown = figure.lines.iter().filter(|line| LineSet::default().has(line.kind)).count();
+    println!("{}: {} triangles, {shown} lines", gpu.adapter(), figure.triangles.len());
     for samples in [4, 16] {
         let picture = Picture { samples, ..Picture::default() };
         for run in ["first", "second", "third"] {
-            let image = timed(&format!("{samples} samples, {run} picture"), || renderer.draw(&picture, &scene))?;
+            let image = timed(&format!("{samples} samples, {run} picture"), || renderer.draw(&picture, &figure))?;
             image.write_png(File::create(&out)?)?;
         }
-        timed(&format!("{samples} samples, without a GPU"), || picture.draw(&scene))?;
+        timed(&format!("{samples} samples, without a GPU"), || Processor.draw(&picture, &figure))?;
         let bare = Picture { edges: LineSet::NONE, ..picture };
-        timed(&format!("{samples} samples, no lines"), || renderer.draw(&bare, &scene))?;
+        timed(&format!("{samples} samples, no lines"), || renderer.draw(&bare, &figure))?;
     }
     Ok(())
 }

@@ -1,19 +1,20 @@
 //! Pictures of folded sheets, drawn without a GPU.
 //!
-//! A [`Scene`] says what there is (triangles, lines, values for a map), a [`Camera`] from where it is seen and a [`Theme`]
-//! in which colours: plain data, from which any renderer may draw. The one here is a small rasteriser on the processor;
-//! equal input gives equal bits, whatever the number of threads.
+//! A [`Figure`] says what there is (triangles, lines, values for a map), a [`Camera`] from where it is seen and a [`Theme`]
+//! in which colours: plain data, from which any [`Renderer`] may draw. The one here, [`Processor`], is a small rasteriser;
+//! equal input gives equal bits, whatever the number of threads. The feature `render` of `origami-gpu` has another.
 //!
 //! ```
 //! use origami_core::{Material, Model, Relax, generate::BirdBase};
-//! use origami_picture::{Picture, Scene};
+//! use origami_picture::{Figure, Picture, Processor, Renderer};
 //!
 //! let pattern = BirdBase::default().pattern()?;
 //! let model = Model::new(&pattern, &Material::default())?;
 //! let folded = Relax::default().fold_from_rest(&model, 60.0)?;
-//! let scene = Scene::new(&pattern, &model, &folded.state.positions);
+//! let figure = Figure::new(&pattern, &model, &folded.state.positions);
 //! let mut png = Vec::new();
-//! Picture { width: 400, height: 300, ..Picture::default() }.draw(&scene)?.write_png(&mut png)?;
+//! let picture = Picture { width: 400, height: 300, ..Picture::default() };
+//! Processor.draw(&picture, &figure)?.write_png(&mut png)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 #![forbid(unsafe_code)]
@@ -22,6 +23,7 @@ pub mod animation;
 pub mod camera;
 pub mod colour;
 pub mod difference;
+pub mod figure;
 pub mod glb;
 pub mod image;
 pub mod layers;
@@ -30,7 +32,7 @@ pub mod map;
 pub mod pattern;
 mod picture;
 pub mod raster;
-pub mod scene;
+mod renderer;
 pub mod shade;
 mod sheet;
 pub mod text;
@@ -39,10 +41,12 @@ pub mod theme;
 pub use animation::{Animation, Format, Frames};
 pub use camera::{Camera, Frame, Projection, View};
 pub use colour::Rgb;
+pub use figure::{Figure, Line, LineKind, LineSet};
 pub use glb::Glb;
 pub use image::Image;
 pub use map::{ColourMap, Map, Quantity};
 pub use picture::Picture;
-pub use scene::{Line, LineKind, LineSet, Scene};
+pub use raster::Processor;
+pub use renderer::{DrawError, Renderer};
 pub use sheet::contact_sheet;
 pub use theme::{LineStyle, Theme};

@@ -1,4 +1,4 @@
-//! The flat crease pattern: as a scene for pictures, and as SVG.
+//! The flat crease pattern: as a figure for pictures, and as SVG.
 
 use std::fmt::Write as _;
 
@@ -10,22 +10,22 @@ use origami_core::{CreasePattern, Error};
 
 use crate::camera::Camera;
 use crate::colour::Rgb;
+use crate::figure::{Figure, Line, LineKind, LineSet, chains, lips};
 use crate::picture::Picture;
-use crate::scene::{Line, LineKind, LineSet, Scene, chains, lips};
 use crate::theme::Theme;
 
-impl Scene {
+impl Figure {
     /// The pattern as it lies on the table, with all its edges; lengths are in half diagonals of its box.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a face that cannot be cut into triangles, or a pattern of no size.
     pub fn of_pattern(pattern: &CreasePattern) -> Result<Self, Error> {
         let (centre, radius) = extent(pattern);
-        let places: Vec<DVec3> = pattern.vertices.iter().map(|p| (*p - centre) / radius).collect();
+        let positions: Vec<DVec3> = pattern.vertices.iter().map(|p| (*p - centre) / radius).collect();
         let mut lines: Vec<Line> = lines(pattern).map(|(_, line)| line).collect();
-        chains::measure(&mut lines, &places);
+        chains::measure(&mut lines, &positions);
         Ok(Self {
-            positions: places.iter().map(|p| p.to_array().map(|x| x as f32)).collect(),
+            positions: positions.iter().map(|p| p.to_array().map(|x| x as f32)).collect(),
             triangles: triangulate(pattern)?.triangles.into_iter().map(|t| t.map(|v| v.0)).collect(),
             lines,
             ..Self::default()
@@ -159,15 +159,15 @@ mod tests {
     #[test]
     fn every_edge_is_drawn_once_and_in_its_kind() {
         let pattern = catalog::generate("miura", &[]).unwrap();
-        let scene = Scene::of_pattern(&pattern).unwrap();
-        scene.check().unwrap();
-        assert_eq!(scene.lines.len(), pattern.edges.len());
+        let figure = Figure::of_pattern(&pattern).unwrap();
+        figure.check().unwrap();
+        assert_eq!(figure.lines.len(), pattern.edges.len());
         let text = svg(&pattern, &Theme::paper(), LineSet::ALL, 500.0);
         let lines = |id: &str| {
             let path = text.lines().find(|line| line.contains(&format!("id=\"{id}\""))).unwrap_or_default();
             path.split(" d=\"").nth(1).unwrap_or_default().matches('M').count()
         };
-        let count = |kind| scene.lines.iter().filter(|line| line.kind == kind).count();
+        let count = |kind| figure.lines.iter().filter(|line| line.kind == kind).count();
         for kind in LineKind::ALL {
             assert_eq!(lines(kind.name()), count(kind), "{kind:?}");
         }
@@ -182,7 +182,7 @@ mod tests {
             "edges_assignment": ["B","B","B","B","B","B","C"]}"#;
         let document = Document::from_reader(text.as_bytes()).unwrap();
         let pattern = CreasePattern::from_frame(&document.frame(0).unwrap()).unwrap();
-        let kinds: Vec<LineKind> = Scene::of_pattern(&pattern).unwrap().lines.iter().map(|line| line.kind).collect();
+        let kinds: Vec<LineKind> = Figure::of_pattern(&pattern).unwrap().lines.iter().map(|line| line.kind).collect();
         assert_eq!(kinds.iter().filter(|kind| **kind == LineKind::Cut).count(), 2, "{kinds:?}");
         assert_eq!(kinds.iter().filter(|kind| **kind == LineKind::Boundary).count(), 6);
     }

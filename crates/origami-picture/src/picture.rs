@@ -1,16 +1,15 @@
-//! One picture of one scene.
+//! How a picture shall look; a [`Renderer`](crate::Renderer) draws it.
 
 use origami_core::Error;
 
 use crate::camera::{Camera, Frame, View};
+use crate::figure::{Figure, LineSet};
 use crate::image::Image;
 use crate::legend::{Legend, text_size};
-use crate::raster;
-use crate::scene::{LineSet, Scene};
 use crate::text;
 use crate::theme::Theme;
 
-/// How a scene is to be drawn.
+/// How a figure shall be drawn, by whichever renderer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// Pixels across. Default 1000.
@@ -27,7 +26,7 @@ pub struct Picture {
     pub edges: LineSet,
     /// How much wider or thinner lines are than the theme has them. Default 1.
     pub line_width: f32,
-    /// Whether a scene with a map has its colour bar beside it. Default true.
+    /// Whether a figure with a map has its colour bar beside it. Default true.
     pub legend: bool,
     /// A line of text below the sheet. Default: none.
     pub caption: String,
@@ -50,23 +49,14 @@ impl Default for Picture {
 }
 
 impl Picture {
-    /// Draws the scene, which fills the picture.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] for a size, camera or scene that makes no sense.
-    pub fn draw(&self, scene: &Scene) -> Result<Image, Error> {
-        let view = self.view(scene, scene.positions.iter().copied())?;
-        self.draw_from(scene, &view)
-    }
-
-    /// The view in which `points` fill the picture, beside the colour bar if the scene has a map. For the frames of an
+    /// The view in which `points` fill the picture, beside the colour bar if the figure has a map. For the frames of an
     /// animation: the points of all of them.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a size or camera that makes no sense.
-    pub fn view(&self, scene: &Scene, points: impl Iterator<Item = [f32; 3]>) -> Result<View, Error> {
+    pub fn view(&self, figure: &Figure, points: impl Iterator<Item = [f32; 3]>) -> Result<View, Error> {
         let mut margins = [0.05 * f64::from(self.width.min(self.height)); 4];
-        if let Some(legend) = self.legend_of(scene) {
+        if let Some(legend) = self.legend_of(figure) {
             margins[2] = f64::from(legend.width);
         }
         if !self.caption.is_empty() {
@@ -75,31 +65,21 @@ impl Picture {
         self.camera.view(points, &Frame { width: self.width, height: self.height, margins })
     }
 
-    /// Draws the scene as this view shows it.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] for a size or scene that makes no sense.
-    pub fn draw_from(&self, scene: &Scene, view: &View) -> Result<Image, Error> {
-        let mut image = raster::draw(self, scene, view)?;
-        self.annotate(scene, &mut image);
-        Ok(image)
-    }
-
     /// Adds the colour bar and the caption: what lies in the plane of the picture, whoever has drawn the sheet.
-    pub fn annotate(&self, scene: &Scene, image: &mut Image) {
-        if let Some(legend) = self.legend_of(scene) {
+    pub fn annotate(&self, figure: &Figure, image: &mut Image) {
+        if let Some(legend) = self.legend_of(figure) {
             legend.draw(image, &self.theme);
         }
         if !self.caption.is_empty() {
             let size = text_size(self.width, self.height);
-            let right = self.width as f32 - self.legend_of(scene).map_or(0.0, |legend| legend.width);
+            let right = self.width as f32 - self.legend_of(figure).map_or(0.0, |legend| legend.width);
             let left = 0.5 * (right - text::width(&self.caption, size));
             text::draw(image, &self.caption, [left, self.height as f32 - 1.1 * size], size, self.theme.text);
         }
     }
 
-    fn legend_of(&self, scene: &Scene) -> Option<Legend> {
-        let map = scene.map.as_ref().filter(|_| self.legend)?;
+    fn legend_of(&self, figure: &Figure) -> Option<Legend> {
+        let map = figure.map.as_ref().filter(|_| self.legend)?;
         Some(Legend::new(&map.scale, self.width, self.height))
     }
 

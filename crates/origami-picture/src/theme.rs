@@ -1,23 +1,23 @@
 //! Colours and line styles of a picture, as data.
 
 use crate::colour::Rgb;
-use crate::scene::LineKind;
+use crate::figure::LineKind;
 
 /// Dashes of a line, in pixels: lengths drawn and left out in turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dash {
-    /// Drawn.
+    /// Length of a dash.
     pub on: f32,
-    /// Left out.
+    /// Length of the gap between two dashes.
     pub off: f32,
-    /// A second, shorter length that is drawn in the middle of what is left out; 0: none.
+    /// Length of a shorter dash in the middle of the gap; 0 is none.
     pub dot: f32,
 }
 
 /// How lines of one kind are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineStyle {
-    /// Its colour.
+    /// The colour of the line.
     pub colour: Rgb,
     /// Its width in pixels of a picture 1000 pixels high; see [`Theme::line_scale`].
     pub width: f32,
@@ -34,17 +34,17 @@ impl LineStyle {
 /// Colours of paper, ground and lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Theme {
-    /// The side that the pattern's letters are meant for.
+    /// Colour of the side that the pattern's letters are meant for.
     pub front: Rgb,
-    /// The other side.
+    /// Colour of the other side.
     pub back: Rgb,
-    /// Behind the sheet; `None` is transparent.
+    /// Colour behind the sheet; `None` is transparent.
     pub background: Option<Rgb>,
-    /// Words and numbers.
+    /// Colour of the caption and of the numbers beside a map.
     pub text: Rgb,
-    /// By [`LineKind`], in its order.
+    /// How lines of each [`LineKind`] are drawn, in its order.
     pub lines: [LineStyle; LineKind::ALL.len()],
-    /// Creases over a map, where their own colours would be mistaken for values; drawn thinner too.
+    /// Colour of creases over a map, where their own colours would be mistaken for values; drawn thinner too.
     pub over_map: Rgb,
     /// How much light and shade differ: 0 is none, 1 that of paper by a window.
     pub shading: f32,
@@ -114,7 +114,7 @@ impl Theme {
         }
     }
 
-    /// For slides.
+    /// Light lines on dark ground, for slides.
     #[must_use]
     pub const fn dark() -> Self {
         Self {

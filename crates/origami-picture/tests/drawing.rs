@@ -3,30 +3,32 @@
 use origami_core::generate::catalog;
 use origami_core::{Material, Model, Relax};
 use origami_picture::layers::Layer;
-use origami_picture::{Camera, Image, Line, LineKind, LineSet, Picture, Projection, Rgb, Scene, Theme};
+use origami_picture::{
+    Camera, Figure, Image, Line, LineKind, LineSet, Picture, Processor, Projection, Renderer, Rgb, Theme,
+};
 use proptest::prelude::*;
 
 /// The square from -1 to 1 at a height, facing up.
-fn square(z: f32) -> Scene {
-    Scene {
+fn square(z: f32) -> Figure {
+    Figure {
         positions: vec![[-1.0, -1.0, z], [1.0, -1.0, z], [1.0, 1.0, z], [-1.0, 1.0, z]],
         triangles: vec![[0, 1, 2], [0, 2, 3]],
-        ..Scene::default()
+        ..Figure::default()
     }
 }
 
 /// Both, one after the other.
-fn both(one: &Scene, two: &Scene) -> Scene {
+fn both(one: &Figure, two: &Figure) -> Figure {
     let (nodes, triangles) = (one.positions.len() as u32, one.triangles.len() as u32);
-    let mut scene = one.clone();
-    scene.positions.extend(&two.positions);
-    scene.triangles.extend(two.triangles.iter().map(|t| t.map(|n| n + nodes)));
-    scene.lines.extend(two.lines.iter().map(|line| Line {
+    let mut figure = one.clone();
+    figure.positions.extend(&two.positions);
+    figure.triangles.extend(two.triangles.iter().map(|t| t.map(|n| n + nodes)));
+    figure.lines.extend(two.lines.iter().map(|line| Line {
         nodes: line.nodes.map(|n| n + nodes),
         triangles: line.triangles.map(|t| t.map(|t| t + triangles)),
         ..*line
     }));
-    scene
+    figure
 }
 
 fn line(a: u32, b: u32, triangles: [Option<u32>; 2]) -> Line {
@@ -57,7 +59,7 @@ fn two_triangles_leave_no_seam_and_cover_what_they_should() {
             let mut picture = Picture { samples, ..plain() };
             picture.camera.roll = roll;
             picture.theme.back = picture.theme.front;
-            let image = picture.draw(&square(0.0)).unwrap();
+            let image = Processor.draw(&picture, &square(0.0)).unwrap();
             let cover: f64 = image.pixels.chunks(4).map(|p| f64::from(p[3]) / 255.0).sum();
             let view = picture.view(&square(0.0), square(0.0).positions.into_iter()).unwrap();
             let side = 2.0 / f64::from(view.pixel);
@@ -78,7 +80,7 @@ fn front_and_back_have_their_colours() {
     let theme = plain().theme;
     for (elevation, colour) in [(90.0, theme.front), (-90.0, theme.back)] {
         let camera = Camera { elevation, ..Camera::top() };
-        let image = Picture { camera, ..plain() }.draw(&square(0.0)).unwrap();
+        let image = Processor.draw(&Picture { camera, ..plain() }, &square(0.0)).unwrap();
         assert!(area(&image, colour) > 7000.0, "{elevation}");
     }
 }
@@ -88,15 +90,15 @@ fn lines_are_as_wide_as_asked_at_every_size_and_angle() {
     for (width, roll) in [(100, 0.0), (100, 30.0), (400, 0.0), (400, 71.0)] {
         let mut picture = Picture { width, height: width, ..plain() };
         picture.camera.roll = roll;
-        let mut scene = square(0.0);
-        scene.lines.push(line(0, 2, [Some(0), Some(1)]));
+        let mut figure = square(0.0);
+        figure.lines.push(line(0, 2, [Some(0), Some(1)]));
         let red = picture.theme.line(LineKind::Mountain);
         let wide = f64::from(red.width * picture.line_scale());
-        let view = picture.view(&scene, scene.positions.iter().copied()).unwrap();
+        let view = picture.view(&figure, figure.positions.iter().copied()).unwrap();
         let length = 8.0_f64.sqrt() / f64::from(view.pixel);
         // Red light that the line adds, over what paper has.
-        let bare = picture.draw(&square(0.0)).unwrap();
-        let drawn = picture.draw(&scene).unwrap();
+        let bare = Processor.draw(&picture, &square(0.0)).unwrap();
+        let drawn = Processor.draw(&picture, &figure).unwrap();
         let [paper, ink] = [picture.theme.front, red.colour].map(|c| f64::from(c.linear()[2]));
         let light = |p: &[u8]| f64::from(Rgb(p[0], p[1], p[2]).linear()[2]);
         let covered: f64 = { bare.pixels.chunks(4).zip(drawn.pixels.chunks(4)) }
@@ -120,20 +122,28 @@ fn lines_show_on_their_faces_and_not_through_those_in_front() {
             }
             let camera = Camera { elevation, projection, ..Camera::top() };
             let picture = Picture { camera, ..plain() };
-            let seen = area(&picture.draw(&lined).unwrap(), red);
+            let seen = area(&Processor.draw(&picture, &lined).unwrap(), red);
             assert!(seen > 60.0, "swallowed at {elevation}: {seen}");
             // A larger sheet just above hides them; so does one at the very same place that is a layer above.
             let mut cover = square(0.02);
             cover.positions.iter_mut().for_each(|p| [p[0], p[1]] = [p[0] * 1.4, p[1] * 3.0]);
-            assert_eq!(area(&picture.draw(&both(&lined, &cover)).unwrap(), red), 0.0, "shows through at {elevation}");
+            assert_eq!(
+                area(&Processor.draw(&picture, &both(&lined, &cover)).unwrap(), red),
+                0.0,
+                "shows through at {elevation}"
+            );
             cover.positions.iter_mut().for_each(|p| p[2] = 0.0);
             let mut stack = both(&lined, &cover);
             let layer = |height: f64| Layer { up: [0.0, 0.0, 1.0], heights: [height as f32; 3] };
             let heights = [0.0, 0.0, 1.0, 1.0].map(|n| n * origami_picture::layers::LAYER);
             stack.layers = heights.map(layer).to_vec();
-            assert_eq!(area(&picture.draw(&stack).unwrap(), red), 0.0, "shows through a layer at {elevation}");
+            assert_eq!(
+                area(&Processor.draw(&picture, &stack).unwrap(), red),
+                0.0,
+                "shows through a layer at {elevation}"
+            );
             stack.layers = heights.map(|h| layer(-h)).to_vec();
-            let seen = area(&picture.draw(&stack).unwrap(), red);
+            let seen = area(&Processor.draw(&picture, &stack).unwrap(), red);
             assert!(seen > 50.0, "swallowed by the layer below at {elevation}: {seen}");
         }
     }
@@ -141,10 +151,12 @@ fn lines_show_on_their_faces_and_not_through_those_in_front() {
 
 #[test]
 fn only_the_lines_asked_for_are_drawn() {
-    let mut scene = square(0.0);
-    scene.lines = vec![line(0, 2, [Some(0), Some(1)])];
+    let mut figure = square(0.0);
+    figure.lines = vec![line(0, 2, [Some(0), Some(1)])];
     let none = Picture { edges: LineSet::default().with(LineKind::Facet), ..plain() };
-    let red = |picture: Picture| area(&picture.draw(&scene).unwrap(), Theme::paper().line(LineKind::Mountain).colour);
+    let red = |picture: Picture| {
+        area(&Processor.draw(&picture, &figure).unwrap(), Theme::paper().line(LineKind::Mountain).colour)
+    };
     assert!(red(none.clone()) > 50.0);
     assert_eq!(red(Picture { edges: "VBFCU".parse().unwrap(), ..none }), 0.0);
 }
@@ -157,8 +169,8 @@ fn threads_do_not_change_a_picture() {
     let drawn = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            let scene = Scene::new(&pattern, &model, &state.positions);
-            Picture { width: 300, height: 240, ..Picture::default() }.draw(&scene).unwrap()
+            let figure = Figure::new(&pattern, &model, &state.positions);
+            Processor.draw(&Picture { width: 300, height: 240, ..Picture::default() }, &figure).unwrap()
         })
     };
     let first = drawn(1);
@@ -167,19 +179,19 @@ fn threads_do_not_change_a_picture() {
 
 #[test]
 fn nonsense_is_refused_by_its_name() {
-    let refused = |scene: &Scene, picture: &Picture| picture.draw(scene).unwrap_err().to_string();
-    let mut scene = square(0.0);
-    scene.triangles.push([0, 1, 9]);
-    assert_eq!(refused(&scene, &plain()), "triangle 2: names a node that is not there; expected nodes below 4");
-    let mut scene = square(0.0);
-    scene.positions[3][1] = f32::NAN;
-    assert!(refused(&scene, &plain()).starts_with("position 3: "));
-    let mut scene = square(0.0);
-    scene.lines.push(line(0, 1, [Some(7), None]));
-    assert!(refused(&scene, &plain()).starts_with("line 0: "));
-    let mut scene = square(0.0);
-    scene.layers.push(Layer::default());
-    assert!(refused(&scene, &plain()).starts_with("layers: "));
+    let refused = |figure: &Figure, picture: &Picture| Processor.draw(picture, figure).unwrap_err().to_string();
+    let mut figure = square(0.0);
+    figure.triangles.push([0, 1, 9]);
+    assert_eq!(refused(&figure, &plain()), "triangle 2: names a node that is not there; expected nodes below 4");
+    let mut figure = square(0.0);
+    figure.positions[3][1] = f32::NAN;
+    assert!(refused(&figure, &plain()).starts_with("position 3: "));
+    let mut figure = square(0.0);
+    figure.lines.push(line(0, 1, [Some(7), None]));
+    assert!(refused(&figure, &plain()).starts_with("line 0: "));
+    let mut figure = square(0.0);
+    figure.layers.push(Layer::default());
+    assert!(refused(&figure, &plain()).starts_with("layers: "));
     assert!(
         refused(&square(0.0), &Picture { samples: 5, ..plain() }).starts_with("samples: 5; expected 1, 4, 8 or 16")
     );
@@ -191,7 +203,7 @@ proptest! {
 
     /// Degenerate, huge and tiny triangles, and cameras close to them.
     #[test]
-    fn no_scene_makes_it_panic(
+    fn no_figure_makes_it_panic(
         places in prop::collection::vec(prop::array::uniform3(prop_oneof![
             -1.0_f32..1.0,
             Just(0.0),
@@ -207,9 +219,9 @@ proptest! {
         let projection = if perspective { Projection::Perspective(60.0) } else { Projection::Orthographic };
         let triangles: Vec<[u32; 3]> = triangles.into_iter().map(|t| t.map(|n| n % count)).collect();
         let lines = triangles.iter().map(|[a, b, _]| line(*a, *b, [Some(0), None])).collect();
-        let scene = Scene { positions: places, triangles, lines, ..Scene::default() };
+        let figure = Figure { positions: places, triangles, lines, ..Figure::default() };
         let camera = Camera { zoom, projection, ..Camera::default() };
-        let image = Picture { width: 40, height: 30, camera, ..Picture::default() }.draw(&scene).unwrap();
+        let image = Processor.draw(&Picture { width: 40, height: 30, camera, ..Picture::default() }, &figure).unwrap();
         prop_assert_eq!(image.pixels.len(), 4 * 40 * 30);
     }
 }

@@ -3,10 +3,10 @@
 use origami_core::generate::catalog;
 use origami_core::solve::{fold_path, frame_percents};
 use origami_core::{Material, Model, Relax};
-use origami_picture::{ColourMap, Glb, LineSet, Map, Quantity, Scene};
+use origami_picture::{ColourMap, Figure, Glb, LineSet, Map, Quantity};
 
 struct Folded {
-    scene: Scene,
+    figure: Figure,
     states: Vec<Vec<[f32; 3]>>,
 }
 
@@ -17,7 +17,7 @@ fn folded(frames: u32) -> Folded {
     let states = path.iter().map(|f| f.state.positions.iter().map(|p| p.to_array().map(|x| x as f32)).collect());
     let last = &path.last().expect("the first").state;
     let map = Map::new(Quantity::Strain, &model, last, ColourMap::Viridis, None);
-    Folded { scene: Scene::new(&pattern, &model, &last.positions).with_map(map), states: states.collect() }
+    Folded { figure: Figure::new(&pattern, &model, &last.positions).with_map(map), states: states.collect() }
 }
 
 /// The positions that a viewer shows for these weights of the targets.
@@ -35,9 +35,9 @@ fn shown(primitive: &gltf::Primitive<'_>, blob: &[u8], weights: &[f32]) -> Vec<[
 
 #[test]
 fn another_reader_sees_the_sheet_fold() {
-    let Folded { scene, states } = folded(3);
+    let Folded { figure, states } = folded(3);
     let mut bytes = Vec::new();
-    Glb::default().write(&scene, &states, &mut bytes).unwrap();
+    Glb::default().write(&figure, &states, &mut bytes).unwrap();
     // The reader validates the document.
     let file = gltf::Gltf::from_slice(&bytes).unwrap();
     let blob = file.blob.as_deref().unwrap();
@@ -57,7 +57,7 @@ fn another_reader_sees_the_sheet_fold() {
     };
     let weights: Vec<f32> = weights.into_f32().collect();
     for (state, weights) in states.iter().zip(weights.chunks(3)) {
-        for (shown, node) in shown(faces, blob, weights).iter().zip(scene.triangles.iter().flatten()) {
+        for (shown, node) in shown(faces, blob, weights).iter().zip(figure.triangles.iter().flatten()) {
             let [x, y, z] = state[*node as usize];
             let far = [shown[0] - x, shown[1] - z, shown[2] + y];
             assert!(far.iter().all(|d| d.abs() < 1e-6), "{shown:?} {:?}", state[*node as usize]);
@@ -67,9 +67,9 @@ fn another_reader_sees_the_sheet_fold() {
 
 #[test]
 fn accessors_are_aligned_and_their_bounds_hold() {
-    let Folded { scene, states } = folded(2);
+    let Folded { figure, states } = folded(2);
     let mut bytes = Vec::new();
-    Glb { edges: LineSet::ALL, ..Glb::default() }.write(&scene, &states, &mut bytes).unwrap();
+    Glb { edges: LineSet::ALL, ..Glb::default() }.write(&figure, &states, &mut bytes).unwrap();
     assert_eq!(bytes.len() % 4, 0);
     assert_eq!(u32::from_le_bytes(bytes[8..12].try_into().unwrap()) as usize, bytes.len());
     let file = gltf::Gltf::from_slice(&bytes).unwrap();
@@ -97,13 +97,13 @@ fn accessors_are_aligned_and_their_bounds_hold() {
 
 #[test]
 fn a_single_state_needs_no_animation_and_nonsense_is_refused() {
-    let Folded { scene, states } = folded(1);
+    let Folded { figure, states } = folded(1);
     let mut bytes = Vec::new();
-    Glb::default().write(&scene, &[], &mut bytes).unwrap();
+    Glb::default().write(&figure, &[], &mut bytes).unwrap();
     let file = gltf::Gltf::from_slice(&bytes).unwrap();
     assert_eq!((file.animations().count(), file.meshes().next().unwrap().weights()), (0, None));
     let short = [states[0].clone(), vec![[0.0; 3]; 3]];
-    let error = Glb::default().write(&scene, &short, Vec::new()).unwrap_err().to_string();
+    let error = Glb::default().write(&figure, &short, Vec::new()).unwrap_err().to_string();
     assert!(error.starts_with("state 1: 3 positions; expected "), "{error}");
-    assert!(Glb::default().write(&Scene::default(), &[], Vec::new()).is_err());
+    assert!(Glb::default().write(&Figure::default(), &[], Vec::new()).is_err());
 }

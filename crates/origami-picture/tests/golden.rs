@@ -6,7 +6,8 @@ mod support;
 use origami_core::generate::catalog;
 use origami_core::{CreasePattern, Material, Model, Relax, State};
 use origami_picture::{
-    Camera, ColourMap, Image, LineKind, LineSet, Map, Picture, Projection, Quantity, Scene, Theme, contact_sheet,
+    Camera, ColourMap, Figure, Image, LineKind, LineSet, Map, Picture, Processor, Projection, Quantity, Renderer,
+    Theme, contact_sheet,
 };
 use support::{TOLERANCE, check, compare};
 
@@ -17,9 +18,9 @@ fn folded(name: &str, percent: f64) -> (CreasePattern, Model, State) {
     (pattern, model, state)
 }
 
-fn scene(name: &str, percent: f64) -> Scene {
+fn figure(name: &str, percent: f64) -> Figure {
     let (pattern, model, state) = folded(name, percent);
-    Scene::new(&pattern, &model, &state.positions)
+    Figure::new(&pattern, &model, &state.positions)
 }
 
 fn small() -> Picture {
@@ -33,19 +34,19 @@ fn from(azimuth: f64, elevation: f64) -> Picture {
 #[test]
 fn folded_sheets() {
     for (name, percent) in [("miura", 60.0), ("crane", 90.0), ("kresling", 80.0), ("curved-pleat", 80.0)] {
-        check(&format!("{name}-{percent}"), &small().draw(&scene(name, percent)).unwrap());
+        check(&format!("{name}-{percent}"), &Processor.draw(&small(), &figure(name, percent)).unwrap());
     }
 }
 
 /// Layers at one place: what is on top hides all below it, lines too.
 #[test]
 fn flat_layers() {
-    let bird_base = scene("bird-base", 100.0);
-    check("bird-base-100", &from(-60.0, 10.0).draw(&bird_base).unwrap());
-    check("bird-base-100-behind", &from(120.0, 10.0).draw(&bird_base).unwrap());
-    let twist = scene("square-twist", 100.0);
-    check("square-twist-100", &from(-60.0, 60.0).draw(&twist).unwrap());
-    check("square-twist-100-below", &from(-60.0, -60.0).draw(&twist).unwrap());
+    let bird_base = figure("bird-base", 100.0);
+    check("bird-base-100", &Processor.draw(&from(-60.0, 10.0), &bird_base).unwrap());
+    check("bird-base-100-behind", &Processor.draw(&from(120.0, 10.0), &bird_base).unwrap());
+    let twist = figure("square-twist", 100.0);
+    check("square-twist-100", &Processor.draw(&from(-60.0, 60.0), &twist).unwrap());
+    check("square-twist-100-below", &Processor.draw(&from(-60.0, -60.0), &twist).unwrap());
 }
 
 #[test]
@@ -58,14 +59,14 @@ fn maps() {
         (Quantity::EnergyDensity, ColourMap::Inferno, "energy"),
     ] {
         let map = Map::new(quantity, &model, &state, colours, None);
-        let scene = Scene::new(&pattern, &model, &state.positions).with_map(map);
-        check(&format!("hypar-80-{name}"), &small().draw(&scene).unwrap());
+        let figure = Figure::new(&pattern, &model, &state.positions).with_map(map);
+        check(&format!("hypar-80-{name}"), &Processor.draw(&small(), &figure).unwrap());
     }
 }
 
 #[test]
 fn styles() {
-    let miura = scene("miura", 60.0);
+    let miura = figure("miura", 60.0);
     let perspective = Camera { projection: Projection::Perspective(50.0), roll: 10.0, ..Camera::isometric() };
     let themes = Theme::NAMES.map(|name| {
         let theme = Theme::named(name).unwrap();
@@ -79,39 +80,39 @@ fn styles() {
             ..small()
         }
     });
-    let images: Vec<Image> = themes.iter().map(|picture| picture.draw(&miura).unwrap()).collect();
+    let images: Vec<Image> = themes.iter().map(|picture| Processor.draw(picture, &miura).unwrap()).collect();
     check("themes", &contact_sheet(&images, 2, None).unwrap());
     let transparent = Theme { background: None, ..Theme::paper() };
-    check("transparent", &Picture { theme: transparent, ..small() }.draw(&miura).unwrap());
+    check("transparent", &Processor.draw(&Picture { theme: transparent, ..small() }, &miura).unwrap());
 }
 
 #[test]
 fn patterns() {
-    let pattern = Scene::of_pattern(&catalog::generate("crane", &[]).unwrap()).unwrap();
-    check("pattern", &Picture { height: 200, ..small() }.for_pattern().draw(&pattern).unwrap());
+    let pattern = Figure::of_pattern(&catalog::generate("crane", &[]).unwrap()).unwrap();
+    check("pattern", &Processor.draw(&Picture { height: 200, ..small() }.for_pattern(), &pattern).unwrap());
     let mono = Picture { theme: Theme::mono(), height: 200, ..small() };
-    check("pattern-mono", &mono.for_pattern().draw(&pattern).unwrap());
+    check("pattern-mono", &Processor.draw(&mono.for_pattern(), &pattern).unwrap());
 }
 
 #[test]
 fn a_wrong_picture_fails() {
-    let scene = scene("miura", 60.0);
+    let figure = figure("miura", 60.0);
     let picture = small();
-    let right = picture.draw(&scene).unwrap();
+    let right = Processor.draw(&picture, &figure).unwrap();
     assert!(compare(&right, &right).0.within(&support::Difference { mean: 0.0, block: 0.0 }));
-    let mut missing = scene.clone();
+    let mut missing = figure.clone();
     let line = missing.lines.iter().position(|line| line.kind == LineKind::Mountain).unwrap();
     missing.lines.remove(line);
-    let mut turned = scene.clone();
+    let mut turned = figure.clone();
     turned.triangles[0].swap(0, 1);
-    let mut dented = scene.clone();
+    let mut dented = figure.clone();
     dented.positions[8][2] += 0.03;
     let darker = Picture { theme: Theme { shading: 1.1, ..Theme::paper() }, ..picture.clone() };
     for (what, wrong) in [
-        ("a line is missing", picture.draw(&missing)),
-        ("a triangle shows its back", picture.draw(&turned)),
-        ("a node is dented", picture.draw(&dented)),
-        ("shades are deeper", darker.draw(&scene)),
+        ("a line is missing", Processor.draw(&picture, &missing)),
+        ("a triangle shows its back", Processor.draw(&picture, &turned)),
+        ("a node is dented", Processor.draw(&picture, &dented)),
+        ("shades are deeper", Processor.draw(&darker, &figure)),
     ] {
         let difference = compare(&wrong.unwrap(), &right).0;
         assert!(!difference.within(&TOLERANCE), "{what}, and it is not seen: {difference:?}");
@@ -120,7 +121,7 @@ fn a_wrong_picture_fails() {
 
 #[test]
 fn a_camera_that_moves_by_a_thousandth_of_a_degree_passes() {
-    let scene = scene("miura", 60.0);
-    let [one, two] = [-60.0, -60.001].map(|azimuth| from(azimuth, 35.0).draw(&scene).unwrap());
+    let figure = figure("miura", 60.0);
+    let [one, two] = [-60.0, -60.001].map(|azimuth| Processor.draw(&from(azimuth, 35.0), &figure).unwrap());
     assert!(compare(&one, &two).0.within(&TOLERANCE));
 }

@@ -1,18 +1,18 @@
-//! Studies of the solvers: error against run time, and what holds on stiff and extreme scenes.
+//! Studies of the solvers: error against run time, and what holds on stiff and extreme cases.
 //!
-//! A study runs scenes and collects its rows in a [`Study`]: tables, plots and the text between them, which
+//! A study runs cases and collects its rows in a [`Study`]: tables, plots and the text between them, which
 //! [`Study::write`] makes files of.
 #![forbid(unsafe_code)]
 
 pub mod accuracy;
-mod gpus;
+mod gpu_choice;
 mod options;
 mod plot;
 pub mod stability;
 mod study;
 mod table;
 
-pub use gpus::Gpus;
+pub use gpu_choice::GpuChoice;
 pub use options::{Options, Watch};
 pub use plot::{Axis, Mark, Plot, PlotError, Scale, Series};
 pub use study::{Part, Study, StudyError};

@@ -4,19 +4,19 @@ use std::time::{Duration, Instant};
 
 use origami_core::CreasePattern;
 
-use crate::Gpus;
+use crate::GpuChoice;
 
 /// What to study, and how long.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Patterns of the user's, by name, in place of the shipped scenes.
+    /// Patterns of the user's, by name, in place of the shipped cases.
     pub patterns: Vec<(String, CreasePattern)>,
-    /// A part of the scenes and of their parameters, for a look in less than a minute.
+    /// A part of the cases and of their parameters, for a look in less than a minute.
     pub quick: bool,
     /// No run is begun after this; those left out are named. Default: none.
     pub time_limit: Option<Duration>,
     /// The adapter on which runs are repeated. Default: none, the processor alone.
-    pub gpu: Gpus,
+    pub gpu: GpuChoice,
 }
 
 /// Follows a study; every method is called by one thread at a time.
@@ -27,13 +27,13 @@ pub trait Watch {
     fn ran(&mut self, what: &str);
 }
 
-/// Watches nothing.
+/// For studies that nobody watches.
 impl Watch for () {
     fn begins(&mut self, _: usize) {}
     fn ran(&mut self, _: &str) {}
 }
 
-/// The time that is left.
+/// When a study shall begin no more runs.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Deadline(Option<Instant>);
 

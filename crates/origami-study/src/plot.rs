@@ -7,7 +7,7 @@ mod ruler;
 /// How an axis is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
+    /// Equal distances stand for equal differences.
     Linear,
     /// By powers of ten; values that are not above 0 are left out.
     Log,
@@ -20,12 +20,12 @@ impl Scale {
     }
 }
 
-/// An axis.
+/// An axis of a plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// What it shows, with its unit.
     pub label: String,
-    /// How it is divided.
+    /// How the axis is divided.
     pub scale: Scale,
 }
 
@@ -36,33 +36,33 @@ pub enum Mark {
     Line,
     /// The same, dashed: the same solver elsewhere, say.
     Dashed,
-    /// Points alone.
+    /// A mark at each point, and no line.
     Points,
 }
 
 /// Points that belong together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
-    /// Its name in the legend.
+    /// What the legend calls the series.
     pub label: String,
-    /// How it is drawn.
+    /// How the series is drawn.
     pub mark: Mark,
     /// Its points; those that are not finite are left out.
     pub points: Vec<(f64, f64)>,
 }
 
-/// A plot.
+/// A plot of one or more series over two axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
     /// Its title.
     pub title: String,
-    /// A line below it: machine, adapter, scene.
+    /// A line below it: machine, adapter, case.
     pub note: String,
-    /// Across.
+    /// The axis from left to right.
     pub x: Axis,
-    /// Up.
+    /// The axis from bottom to top.
     pub y: Axis,
-    /// What it shows.
+    /// The series, drawn in this order.
     pub series: Vec<Series>,
 }
 
@@ -80,7 +80,7 @@ impl Plot {
     /// As SVG: 800 pixels wide, and as high as title, axes and legend need. Equal plots give equal bytes.
     ///
     /// # Errors
-    /// [`PlotError`].
+    /// [`PlotError`] names what cannot be drawn.
     pub fn svg(&self) -> Result<String, PlotError> {
         draw::svg(self).map_err(|error| PlotError { title: self.title.clone(), why: error.to_string() })
     }

@@ -19,7 +19,7 @@ pub enum Part {
     Table {
         /// Name of its files, without an ending.
         file: String,
-        /// The table.
+        /// The table, which becomes a file of its own too.
         table: Table,
         /// Keys of the columns that the document shows; none: only a line with the names of the files.
         shown: Vec<&'static str>,
@@ -28,12 +28,12 @@ pub enum Part {
     Plot {
         /// Name of its file, without an ending.
         file: String,
-        /// The plot.
+        /// The plot, which becomes a file of its own.
         plot: Plot,
     },
 }
 
-/// A study, done.
+/// What came of a study: the parts of its document.
 #[derive(Clone, Debug)]
 pub struct Study {
     /// Name of its document: NAME.md.
@@ -78,7 +78,7 @@ impl Study {
         Ok(paths)
     }
 
-    /// Names and contents.
+    /// The names of the study's files and what each contains.
     fn files(&self) -> Result<Vec<(String, String)>, PlotError> {
         let mut names = Names::new(self.name);
         let mut files = Vec::new();
@@ -205,8 +205,8 @@ mod tests {
 
     #[test]
     fn all_parts_become_files() {
-        let place = tempfile::tempdir().unwrap();
-        let folder = place.path().join("made/on/the/way");
+        let parent = tempfile::tempdir().unwrap();
+        let folder = parent.path().join("made/on/the/way");
         let paths = sample().write(&folder).unwrap();
         let names: Vec<_> = paths.iter().map(|p| p.strip_prefix(&folder).unwrap().to_str().unwrap()).collect();
         let tables = ["errors.csv", "errors.json", "errors-2.svg", "long.csv", "long.json"];
@@ -249,8 +249,8 @@ All columns: [errors.csv](errors.csv), [errors.json](errors.json)
 
     #[test]
     fn what_is_written_twice_is_the_same() {
-        let place = tempfile::tempdir().unwrap();
-        let [first, second] = ["a", "b"].map(|name| sample().write(&place.path().join(name)).unwrap());
+        let parent = tempfile::tempdir().unwrap();
+        let [first, second] = ["a", "b"].map(|name| sample().write(&parent.path().join(name)).unwrap());
         for (a, b) in first.iter().zip(&second) {
             assert!(fs::read(a).unwrap() == fs::read(b).unwrap(), "{}", a.display());
         }
@@ -258,13 +258,13 @@ All columns: [errors.csv](errors.csv), [errors.json](errors.json)
 
     #[test]
     fn what_cannot_be_written_is_named() {
-        let place = tempfile::tempdir().unwrap();
-        let file = place.path().join("file");
+        let parent = tempfile::tempdir().unwrap();
+        let file = parent.path().join("file");
         fs::write(&file, "as it was").unwrap();
         let error = sample().write(&file).unwrap_err().to_string();
         assert!(error.starts_with(file.to_str().unwrap()), "{error}");
-        fs::create_dir(place.path().join("errors.json")).unwrap();
-        let error = sample().write(place.path()).unwrap_err().to_string();
+        fs::create_dir(parent.path().join("errors.json")).unwrap();
+        let error = sample().write(parent.path()).unwrap_err().to_string();
         assert!(error.contains("errors.json"), "{error}");
         assert_eq!(fs::read_to_string(&file).unwrap(), "as it was");
     }

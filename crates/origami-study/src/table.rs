@@ -4,7 +4,7 @@ pub(crate) mod markdown;
 
 use serde_json::{Map, Value};
 
-/// A column.
+/// A column of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column {
     /// Its key in CSV and JSON.
@@ -15,18 +15,18 @@ pub struct Column {
     pub meaning: &'static str,
 }
 
-/// One value.
+/// A value in a table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
-    /// There is none.
+    /// Nothing is known or nothing applies.
     Missing,
-    /// Yes or no.
+    /// A statement that is true or false.
     Flag(bool),
     /// A whole number.
     Count(u64),
     /// A number; one that is not finite is written as a word.
     Number(f64),
-    /// Anything else.
+    /// Words, or numbers that are none of the above.
     Text(String),
 }
 
@@ -40,13 +40,13 @@ pub struct Table {
 }
 
 impl Table {
-    /// Without rows.
+    /// A table of these columns, without rows.
     #[must_use]
     pub fn new(columns: &'static [Column]) -> Self {
         Self { columns, rows: Vec::new() }
     }
 
-    /// Adds a row.
+    /// Adds a row below the others.
     ///
     /// # Panics
     /// If it has not one cell for each column.
@@ -88,7 +88,7 @@ impl Table {
 }
 
 impl Cell {
-    /// With all digits.
+    /// The value as CSV has it, with all digits of a number.
     fn exact(&self) -> String {
         match self {
             Self::Missing => String::new(),

@@ -4,6 +4,7 @@ mod adapters;
 mod fold;
 mod info;
 mod list;
+mod look;
 mod material;
 mod pattern;
 mod picture;
@@ -17,6 +18,8 @@ pub(crate) use fold::{
     ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs,
 };
 pub(crate) use info::InfoArgs;
+#[cfg(feature = "render")]
+pub(crate) use look::{Ground, check_size};
 pub(crate) use material::MaterialArgs;
 pub(crate) use pattern::PatternArgs;
 #[cfg(feature = "render")]

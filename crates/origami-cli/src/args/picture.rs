@@ -2,8 +2,8 @@
 
 use clap::{Args, ValueEnum};
 
+use super::look::{Ground, LineSet};
 use super::values::{finite, positive, size};
-use crate::draw::{Ground, LineSet};
 
 /// Options of pictures. What is not given is the library's default.
 #[derive(Args, Clone, Debug, Default, PartialEq)]

@@ -2,6 +2,8 @@
 
 use origami::solve::TimeStep;
 
+use super::look::check_size;
+
 /// Any finite number.
 pub(super) fn finite(text: &str) -> Result<f64, String> {
     number(text, |_| true, "a finite number")
@@ -37,7 +39,7 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     let (width, height) = text.split_once(['x', 'X']).ok_or_else(expected)?;
     let pixels = |text: &str| text.trim().parse().ok().filter(|n: &u32| *n > 0).ok_or_else(expected);
     let size = [pixels(width)?, pixels(height)?];
-    crate::draw::check_size(size)?;
+    check_size(size)?;
     Ok(size)
 }
 

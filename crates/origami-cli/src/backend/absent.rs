@@ -2,7 +2,6 @@
 
 use super::{Method, Place};
 use crate::args::BackendName;
-use crate::draw::Brush;
 use crate::report::AdapterDetails;
 
 const ABSENT: &str = "this build has no GPU backend (feature `gpu`)";
@@ -32,13 +31,14 @@ impl Backend {
 
     /// No GPU.
     #[cfg(feature = "study")]
-    pub(crate) fn studied(&self) -> origami::study::Gpus {
-        origami::study::Gpus::default()
+    pub(crate) fn studied(&self) -> origami::study::GpuChoice {
+        origami::study::GpuChoice::default()
     }
 
-    /// The processor's.
-    pub(crate) fn brush(&self) -> Brush {
-        Brush::default()
+    /// Nothing but the processor draws.
+    #[cfg(feature = "render")]
+    pub(crate) fn renderer(&self) -> Option<Result<Box<dyn origami::picture::Renderer>, String>> {
+        None
     }
 }
 

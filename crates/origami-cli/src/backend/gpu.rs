@@ -4,12 +4,15 @@ use std::sync::OnceLock;
 
 use origami::Warning;
 use origami::error::WarningCode;
+#[cfg(feature = "render")]
+use origami::gpu::render::GpuRenderer;
 use origami::gpu::{self, AUTO_NODES, AdapterChoice, AdapterSummary, Gpu, GpuError};
+#[cfg(feature = "render")]
+use origami::picture::Renderer;
 use origami::solve::Solver;
 
 use super::{Method, Place};
 use crate::args::BackendName;
-use crate::draw::Brush;
 use crate::report::{Adapter, AdapterDetails};
 
 /// The processor and a GPU, which is opened at most once, and only when it is needed.
@@ -53,20 +56,22 @@ impl Backend {
         }
     }
 
-    /// The GPU's where there is one and this build can draw on it, else the processor's.
-    pub(crate) fn brush(&self) -> Brush {
-        #[cfg(feature = "render")]
-        if let Ok(gpu) = self.open() {
-            return Brush::on(gpu);
-        }
-        Brush::default()
+    /// What draws on the GPU, or why it cannot; `None` without a GPU.
+    #[cfg(feature = "render")]
+    pub(crate) fn renderer(&self) -> Option<Result<Box<dyn Renderer>, String>> {
+        let gpu = self.open().ok()?;
+        Some(
+            GpuRenderer::new(gpu)
+                .map(|renderer| Box::new(renderer) as Box<dyn Renderer>)
+                .map_err(|why| why.to_string()),
+        )
     }
 
     /// The GPU that studies repeat their runs on, if one is wanted.
     #[cfg(feature = "study")]
-    pub(crate) fn studied(&self) -> origami::study::Gpus {
+    pub(crate) fn studied(&self) -> origami::study::GpuChoice {
         let wanted = (self.wanted == BackendName::Gpu).then(|| self.open().ok()).flatten();
-        wanted.map_or_else(Default::default, |gpu| origami::study::Gpus::new(gpu.clone()))
+        wanted.map_or_else(Default::default, |gpu| origami::study::GpuChoice::new(gpu.clone()))
     }
 
     fn open(&self) -> Result<&Gpu, &GpuError> {

@@ -1,28 +1,21 @@
-//! A build without the feature `render`.
+//! A build without the feature `render`: what is to be drawn is refused before any work.
 
 use std::io::Write;
 use std::path::Path;
 
 use origami::{CreasePattern, Error};
 
-use super::{Artist, Film, Subject};
+use super::{Film, Subject};
 use crate::args::PictureArgs;
+use crate::backend::Backend;
+use crate::files::Format;
 
 const ABSENT: &str = "this build draws no pictures (feature `render`)";
 const EXPECTED: &str = "a build without --no-default-features or with --features render";
 
-/// Lines to draw, as they are written.
-pub(crate) type LineSet = String;
-/// A colour, as it is written.
-pub(crate) type Rgb = String;
-
-/// Nothing can be asked of it.
+/// How pictures look: nothing can be asked for.
 #[derive(Clone, Default)]
 pub(crate) struct Style(());
-
-/// Draws nothing.
-#[derive(Default)]
-pub(crate) struct Brush(());
 
 impl Style {
     /// # Errors
@@ -32,15 +25,18 @@ impl Style {
     }
 }
 
-impl Brush {
+/// Draws nothing.
+#[derive(Default)]
+pub(crate) struct Artist(());
+
+impl Artist {
+    pub(crate) fn new(_style: Style, _backend: Option<&Backend>) -> Self {
+        Self(())
+    }
+
     pub(crate) fn trouble(&self) -> Option<String> {
         None
     }
-}
-
-/// Any size; what draws refuses all.
-pub(crate) fn check_size(_size: [u32; 2]) -> Result<(), String> {
-    Ok(())
 }
 
 pub(crate) fn check_contact(_style: &Style, _states: usize) -> Result<(), String> {
@@ -55,19 +51,8 @@ fn absent() -> Error {
     Error::invalid("pictures", ABSENT, EXPECTED)
 }
 
-pub(crate) fn png(_artist: &Artist, _subject: Subject<'_>, _writer: &mut dyn Write) -> Result<(), Error> {
-    Err(absent())
-}
-
-pub(crate) fn pattern_png(_artist: &Artist, _pattern: &CreasePattern, _writer: &mut dyn Write) -> Result<(), Error> {
-    Err(absent())
-}
-
-pub(crate) fn svg(_artist: &Artist, _pattern: &CreasePattern, _writer: &mut dyn Write) -> Result<(), Error> {
-    Err(absent())
-}
-
-pub(crate) fn glb(
+pub(crate) fn sheet(
+    _format: Format,
     _artist: &Artist,
     _subject: Subject<'_>,
     _fps: Option<u16>,
@@ -76,7 +61,12 @@ pub(crate) fn glb(
     Err(absent())
 }
 
-pub(crate) fn contact(_artist: &Artist, _subject: Subject<'_>, _writer: &mut dyn Write) -> Result<(), Error> {
+pub(crate) fn pattern(
+    _format: Format,
+    _artist: &Artist,
+    _pattern: &CreasePattern,
+    _writer: &mut dyn Write,
+) -> Result<(), Error> {
     Err(absent())
 }
 

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use origami::picture::{Image, Picture, Scene};
+use origami::picture::{Figure, Image, Picture};
 use origami::{CreasePattern, Error};
 
 use super::{Artist, Style, Subject, still};
@@ -30,7 +30,7 @@ pub(super) fn extent(style: &Style, parts: u32) -> [u32; 2] {
 
 /// The pattern, where it is flat, and all states as one PNG. All states are seen from one place, at one scale, and so
 /// are their maps.
-pub(crate) fn contact(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
+pub(super) fn contact(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
     let Some((_, first)) = subject.states.first() else { return Ok(()) };
     let style = &artist.style;
     let picture = style.picture(SIZE);
@@ -50,16 +50,16 @@ pub(crate) fn contact(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Wr
         put(&pattern(artist, subject.pattern)?);
     }
     let clip = style.clip(subject);
-    let mut scene = Scene::new(subject.pattern, subject.model, &first.positions);
+    let mut figure = Figure::new(subject.pattern, subject.model, &first.positions);
     let captioned =
         |percent: f64| Picture { caption: caption(&picture, &format!("{} %", plain(percent))), ..picture.clone() };
-    style.mapped(&mut scene, subject, first, clip);
+    style.mapped(&mut figure, subject, first, clip);
     let points = subject.states.iter().flat_map(|(_, state)| &state.positions);
-    let view = captioned(0.0).view(&scene, points.map(|p| p.to_array().map(|x| x as f32)))?;
+    let view = captioned(0.0).view(&figure, points.map(|p| p.to_array().map(|x| x as f32)))?;
     for (percent, state) in subject.states {
-        scene.move_to(subject.model, &state.positions);
-        style.mapped(&mut scene, subject, state, clip);
-        put(&artist.brush.draw(&captioned(*percent), &scene, &view)?);
+        figure.move_to(subject.model, &state.positions);
+        style.mapped(&mut figure, subject, state, clip);
+        put(&artist.draw(&captioned(*percent), &figure, &view)?);
     }
     whole.write_png(writer)
 }

@@ -6,7 +6,7 @@ use origami::Error;
 use origami::export::write_whole;
 use origami::picture::animation::numbered;
 use origami::picture::camera::swept;
-use origami::picture::{Animation, Camera, Format, Image, Picture, Scene, View};
+use origami::picture::{Animation, Camera, Figure, Format, Image, Picture, View};
 
 use super::{Artist, Film, Subject, contact};
 
@@ -25,7 +25,7 @@ struct Reel<'a> {
     clip: Option<f64>,
     /// Points that the camera is fitted to.
     points: Vec<[f32; 3]>,
-    scene: Scene,
+    figure: Figure,
 }
 
 /// Writes the film and says which files it is.
@@ -74,25 +74,25 @@ pub(crate) fn film(
 impl<'a> Reel<'a> {
     fn new(artist: &'a Artist, subject: Subject<'a>, film: Film) -> Option<Self> {
         let (_, first) = subject.states.first()?;
-        let places = subject.states.iter().flat_map(|(_, state)| &state.positions);
-        let places = places.map(|p| p.to_array().map(|x| x as f32));
-        let points = if film.turntable.is_some() { swept(places) } else { places.collect() };
+        let positions = subject.states.iter().flat_map(|(_, state)| &state.positions);
+        let positions = positions.map(|p| p.to_array().map(|x| x as f32));
+        let points = if film.turntable.is_some() { swept(positions) } else { positions.collect() };
         let clip = artist.style.clip(subject);
-        let mut scene = Scene::new(subject.pattern, subject.model, &first.positions);
-        artist.style.mapped(&mut scene, subject, first, clip);
+        let mut figure = Figure::new(subject.pattern, subject.model, &first.positions);
+        artist.style.mapped(&mut figure, subject, first, clip);
         let (picture, count) =
             (artist.style.picture(contact::SIZE), subject.states.len().max(film.turntable.unwrap_or(0) as usize));
-        Some(Self { artist, subject, picture, turntable: film.turntable, count, clip, points, scene })
+        Some(Self { artist, subject, picture, turntable: film.turntable, count, clip, points, figure })
     }
 
     /// Picture `i`: a state, the last one for all that come after it, seen from where the turntable has come to.
     fn draw(&mut self, i: usize) -> Result<Image, Error> {
         let states = self.subject.states;
         if let Some((_, state)) = states.get(i) {
-            self.scene.move_to(self.subject.model, &state.positions);
-            self.artist.style.mapped(&mut self.scene, self.subject, state, self.clip);
+            self.figure.move_to(self.subject.model, &state.positions);
+            self.artist.style.mapped(&mut self.figure, self.subject, state, self.clip);
         }
-        self.artist.brush.draw(&self.picture, &self.scene, &self.view(i)?)
+        self.artist.draw(&self.picture, &self.figure, &self.view(i)?)
     }
 
     fn view(&self, i: usize) -> Result<View, Error> {
@@ -100,6 +100,6 @@ impl<'a> Reel<'a> {
         let turned = |round: u32| 360.0 * (i % round as usize) as f64 / f64::from(round);
         let azimuth = camera.azimuth + self.turntable.map_or(0.0, |round| turned(round.max(1)));
         let picture = Picture { camera: Camera { azimuth, ..camera }, ..self.picture.clone() };
-        picture.view(&self.scene, self.points.iter().copied())
+        picture.view(&self.figure, self.points.iter().copied())
     }
 }

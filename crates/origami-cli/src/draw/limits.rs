@@ -2,24 +2,8 @@
 
 use std::path::Path;
 
-use origami::picture::Image;
-
 use super::{Style, contact};
-
-/// Whether a picture may be so large.
-///
-/// # Errors
-/// That it may not, and what was expected.
-pub(crate) fn check_size([width, height]: [u32; 2]) -> Result<(), String> {
-    let pixels = u64::from(width) * u64::from(height);
-    if width.max(height) > Image::LONGEST || pixels > Image::MOST {
-        let (side, million) = (Image::LONGEST, Image::MOST / 1_000_000);
-        return Err(format!(
-            "{width} x {height} pixels are too many; expected at most {side} a side and {million} million in all"
-        ));
-    }
-    Ok(())
-}
+use crate::args::check_size;
 
 /// Whether a contact sheet of so many states may be as large as it gets.
 ///

@@ -2,50 +2,82 @@
 
 use std::io::Write;
 
-use origami::picture::{Glb, Image, Picture, Scene, pattern};
+use origami::picture::{Figure, Glb, Image, Picture};
 use origami::{CreasePattern, Error};
 
+use super::contact::contact;
 use super::{Artist, Subject};
+use crate::files::Format;
 
 /// Pixels of a picture of its own.
 const SIZE: [u32; 2] = [1000, 800];
 
-/// The last state as PNG.
-pub(crate) fn png(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
-    let Some(scene) = last(artist, subject) else { return Ok(()) };
-    let picture = artist.style.picture(SIZE);
-    let view = picture.view(&scene, scene.positions.iter().copied())?;
-    artist.brush.draw(&picture, &scene, &view)?.write_png(writer)
+/// Draws a folded sheet: its last state as PNG, all of them as glTF (so many a second) or on a contact sheet.
+///
+/// # Errors
+/// [`Error::Invalid`] for a format that draws no folded sheet, and whatever drawing and writing say.
+pub(crate) fn sheet(
+    format: Format,
+    artist: &Artist,
+    subject: Subject<'_>,
+    fps: Option<u16>,
+    writer: &mut dyn Write,
+) -> Result<(), Error> {
+    match format {
+        Format::Png => png(artist, subject, writer),
+        Format::Glb => glb(artist, subject, fps, writer),
+        Format::Contact => contact(artist, subject, writer),
+        _ => Err(Error::invalid("format", "draws no folded sheet", "PNG, glTF or a contact sheet")),
+    }
 }
 
-/// The scene of the last state.
-fn last(artist: &Artist, subject: Subject<'_>) -> Option<Scene> {
+/// Draws the flat crease pattern, as SVG or else as PNG.
+///
+/// # Errors
+/// [`Error::Invalid`] for a pattern that is not flat, and whatever drawing and writing say.
+pub(crate) fn pattern(
+    format: Format,
+    artist: &Artist,
+    pattern: &CreasePattern,
+    writer: &mut dyn Write,
+) -> Result<(), Error> {
+    match format {
+        Format::Svg => svg(artist, pattern, writer),
+        _ => draw_pattern(artist, pattern, &artist.style.pattern(SIZE))?.write_png(writer),
+    }
+}
+
+/// The last state as PNG.
+fn png(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
+    let Some(figure) = last(artist, subject) else { return Ok(()) };
+    let picture = artist.style.picture(SIZE);
+    let view = picture.view(&figure, figure.positions.iter().copied())?;
+    artist.draw(&picture, &figure, &view)?.write_png(writer)
+}
+
+/// The figure of the last state.
+fn last(artist: &Artist, subject: Subject<'_>) -> Option<Figure> {
     let (_, state) = subject.states.last()?;
-    let mut scene = Scene::new(subject.pattern, subject.model, &state.positions);
+    let mut figure = Figure::new(subject.pattern, subject.model, &state.positions);
     let only = [(0.0, *state)];
     let clip = artist.style.clip(Subject { states: &only, ..subject });
-    artist.style.mapped(&mut scene, subject, state, clip);
-    Some(scene)
+    artist.style.mapped(&mut figure, subject, state, clip);
+    Some(figure)
 }
 
-/// The flat pattern as PNG.
-pub(crate) fn pattern_png(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Write) -> Result<(), Error> {
-    draw_pattern(artist, pattern, &artist.style.pattern(SIZE))?.write_png(writer)
-}
-
-/// The flat pattern.
+/// A picture of the flat pattern.
 pub(super) fn draw_pattern(artist: &Artist, pattern: &CreasePattern, picture: &Picture) -> Result<Image, Error> {
     refuse_bent(pattern)?;
-    let scene = Scene::of_pattern(pattern)?;
-    let view = picture.view(&scene, scene.positions.iter().copied())?;
-    artist.brush.draw(picture, &scene, &view)
+    let figure = Figure::of_pattern(pattern)?;
+    let view = picture.view(&figure, figure.positions.iter().copied())?;
+    artist.draw(picture, &figure, &view)
 }
 
 /// The flat pattern as SVG.
-pub(crate) fn svg(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Write) -> Result<(), Error> {
+fn svg(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Write) -> Result<(), Error> {
     refuse_bent(pattern)?;
     let Picture { theme, edges, width, height, .. } = artist.style.pattern(SIZE);
-    let svg = pattern::svg(pattern, &theme, edges, f64::from(width.max(height)));
+    let svg = origami::picture::pattern::svg(pattern, &theme, edges, f64::from(width.max(height)));
     writer.write_all(svg.as_bytes()).map_err(|source| Error::Io { path: "-".into(), source })
 }
 
@@ -61,19 +93,14 @@ fn refuse_bent(pattern: &CreasePattern) -> Result<(), Error> {
 }
 
 /// Binary glTF that goes through all states.
-pub(crate) fn glb(
-    artist: &Artist,
-    subject: Subject<'_>,
-    fps: Option<u16>,
-    writer: &mut dyn Write,
-) -> Result<(), Error> {
-    let Some(scene) = last(artist, subject) else { return Ok(()) };
+fn glb(artist: &Artist, subject: Subject<'_>, fps: Option<u16>, writer: &mut dyn Write) -> Result<(), Error> {
+    let Some(figure) = last(artist, subject) else { return Ok(()) };
     let Picture { theme, edges, .. } = artist.style.picture(SIZE);
-    let places = |(_, state): &(f64, &origami::State)| -> Vec<[f32; 3]> {
+    let positions = |(_, state): &(f64, &origami::State)| -> Vec<[f32; 3]> {
         state.positions.iter().map(|p| p.to_array().map(|x| x as f32)).collect()
     };
-    let states: Vec<_> = subject.states.iter().map(places).collect();
+    let states: Vec<_> = subject.states.iter().map(positions).collect();
     let own = Glb::default().seconds;
     let seconds = fps.map_or(own, |fps| states.len().saturating_sub(1) as f32 / f32::from(fps));
-    Glb { theme, edges, seconds }.write(&scene, &states, writer)
+    Glb { theme, edges, seconds }.write(&figure, &states, writer)
 }

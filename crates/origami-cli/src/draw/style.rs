@@ -1,11 +1,11 @@
 //! From the command line to what the library draws.
 
 use origami::picture::{
-    Camera, ColourMap, LineSet, Map, Picture, Projection, Quantity, Rgb, Scene, Theme, map::round_up,
+    Camera, ColourMap, Figure, LineSet, Map, Picture, Projection, Quantity, Rgb, Theme, map::round_up,
 };
 
-use super::{Ground, Subject};
-use crate::args::{CameraName, ColoursName, MapName, PictureArgs, ThemeName};
+use super::Subject;
+use crate::args::{CameraName, ColoursName, Ground, MapName, PictureArgs, ThemeName};
 
 /// How pictures look.
 #[derive(Clone, Default)]
@@ -30,10 +30,10 @@ struct Mapping {
 }
 
 impl Style {
-    /// That of the arguments.
+    /// The style that the arguments ask for.
     ///
     /// # Errors
-    /// What is out of range.
+    /// A text that names what is out of range.
     pub(crate) fn new(args: &PictureArgs) -> Result<Self, String> {
         let mut picture = Picture { camera: camera(args)?, theme: theme(args), ..Picture::default() };
         picture.samples = args.samples.unwrap_or(picture.samples);
@@ -75,10 +75,10 @@ impl Style {
         Some(clip.unwrap_or_else(|| round_up(subject.states.iter().map(largest).fold(least, f64::max))))
     }
 
-    /// The scene with its map, if there is one.
-    pub(super) fn mapped(&self, scene: &mut Scene, subject: Subject<'_>, state: &origami::State, clip: Option<f64>) {
+    /// The figure with its map, if there is one.
+    pub(super) fn mapped(&self, figure: &mut Figure, subject: Subject<'_>, state: &origami::State, clip: Option<f64>) {
         let map = |m: Mapping| Map::new(m.quantity, subject.model, state, m.colours, clip);
-        scene.map = self.mapping.map(map);
+        figure.map = self.mapping.map(map);
     }
 
     /// Whether nothing lies behind the sheet.

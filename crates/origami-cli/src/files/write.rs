@@ -61,10 +61,12 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<(), Error> {
     let states = sheet.states_of(target.format);
     let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
     match target.format {
-        Format::Png => whole(&target.destination, |writer| draw::png(sheet.artist, subject, writer)),
-        Format::Svg => whole(&target.destination, |writer| draw::svg(sheet.artist, sheet.pattern, writer)),
-        Format::Glb => whole(&target.destination, |writer| draw::glb(sheet.artist, subject, sheet.fps, writer)),
-        Format::Contact => whole(&target.destination, |writer| draw::contact(sheet.artist, subject, writer)),
+        Format::Png | Format::Glb | Format::Contact => {
+            whole(&target.destination, |writer| draw::sheet(target.format, sheet.artist, subject, sheet.fps, writer))
+        }
+        Format::Svg => {
+            whole(&target.destination, |writer| draw::pattern(target.format, sheet.artist, sheet.pattern, writer))
+        }
         // Written by whoever shows how far it has come.
         Format::Film => Ok(()),
         Format::Fold => write_document(&target.destination, &sheet.fold()?),

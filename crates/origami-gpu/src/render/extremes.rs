@@ -4,13 +4,13 @@ use std::f32::consts::PI;
 
 use glam::Vec3;
 use origami_core::Error;
-use origami_picture::{Picture, Projection, Scene};
+use origami_picture::{Figure, Picture, Projection};
 use origami_shaders::render::EXTREMES;
 
 use super::DrawError;
 use super::layout::Search;
 use super::resolve::kernel;
-use super::scene::{buffer, entries};
+use super::upload::{buffer, entries};
 use crate::device::Gpu;
 use crate::mapped::Reading;
 
@@ -70,7 +70,7 @@ impl Extremes {
 
 /// Along the camera's axes, which is all that an orthographic one depends on; and all around.
 fn directions(picture: &Picture) -> Result<Vec<Vec3>, Error> {
-    let anything = picture.view(&Scene::default(), [[0.0; 3], [1.0; 3]].into_iter())?;
+    let anything = picture.view(&Figure::default(), [[0.0; 3], [1.0; 3]].into_iter())?;
     let [up, towards] = [anything.up, anything.towards].map(Vec3::from_array);
     let right = up.cross(towards);
     let mut directions = vec![right, -right, up, -up, towards, -towards];

@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-/// No triangle.
+/// The index that stands for no triangle.
 pub(super) const NONE: u32 = u32::MAX;
 /// What the values of a map are of.
 pub(super) const NODES: u32 = 1;
@@ -49,7 +49,7 @@ pub(super) struct Tile {
     pub(super) size: [f32; 2],
 }
 
-/// A triangle.
+/// A triangle as shaders read it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct Triangle {
@@ -59,7 +59,7 @@ pub(super) struct Triangle {
     pub(super) unused_too: u32,
 }
 
-/// A line.
+/// A line as shaders read it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct Line {
@@ -70,7 +70,7 @@ pub(super) struct Line {
     pub(super) unused: u32,
 }
 
-/// From light to bytes.
+/// What the averaging of samples needs to know: from light to bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct Resolve {

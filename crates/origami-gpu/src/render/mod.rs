@@ -1,24 +1,24 @@
-//! Pictures drawn on the GPU: those of [`origami_picture`], by the same scenes, cameras and themes.
+//! Pictures drawn on the GPU: those of [`origami_picture`], by the same figures, cameras and themes.
 //!
 //! They are drawn offscreen, with no window and no display, and agree with the processor's to what an eye can tell. Light
 //! is averaged over 4 samples a pixel; for [`Picture::samples`] above 4, over 2 x 2 times as many. What is larger than the
 //! adapter's textures, or than a bounded amount of memory, is drawn in tiles.
 //!
-//! Of triangles that lie upon each other in a circle ([`Scene::circles`]) no account is taken beyond what
-//! [`Scene::layers`] say of them.
+//! Of triangles that lie upon each other in a circle ([`Figure::circles`]) no account is taken beyond what
+//! [`Figure::layers`] say of them.
 //!
 //! ```no_run
-//! use origami_gpu::render::Renderer;
+//! use origami_gpu::render::GpuRenderer;
 //! use origami_gpu::{AdapterChoice, Gpu};
 //! # use origami_core::{Material, Model, Relax, generate::BirdBase};
-//! use origami_picture::{Picture, Scene};
+//! use origami_picture::{Figure, Picture, Renderer};
 //!
 //! # let pattern = BirdBase::default().pattern()?;
 //! # let model = Model::new(&pattern, &Material::default())?;
 //! # let folded = Relax::default().fold_from_rest(&model, 60.0)?;
-//! let renderer = Renderer::new(&Gpu::open(&AdapterChoice::Any)?)?;
-//! let scene = Scene::new(&pattern, &model, &folded.state.positions);
-//! let image = renderer.draw(&Picture::default(), &scene)?;
+//! let renderer = GpuRenderer::new(&Gpu::open(&AdapterChoice::Any)?)?;
+//! let figure = Figure::new(&pattern, &model, &folded.state.positions);
+//! let image = renderer.draw(&Picture::default(), &figure)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -27,16 +27,16 @@ mod layout;
 mod node_positions;
 mod pipelines;
 mod resolve;
-mod scene;
 mod targets;
 #[cfg(test)]
 mod tests;
 mod tiles;
+mod upload;
 
 use std::sync::{Mutex, PoisonError};
 
 use origami_core::Error;
-use origami_picture::{Image, Picture, Scene, View};
+use origami_picture::{DrawError, Figure, Image, Picture, Renderer, View};
 
 use crate::device::Gpu;
 use crate::error::GpuError;
@@ -44,28 +44,22 @@ use crate::solver::OnModel;
 use extremes::Extremes;
 use pipelines::{Pipelines, Sampling};
 use resolve::Resolver;
-use scene::{Shot, Uploaded};
 use targets::Targets;
+use upload::{Shot, Uploaded};
 
 /// Samples a side of the largest tile: 4 million samples' pixels, some 240 MB with four samples in each.
 const LARGEST_TILE: u32 = 2048;
 
-/// Why there is no picture.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum DrawError {
-    /// The picture or the scene makes no sense.
-    #[error(transparent)]
-    Scene(#[from] Error),
-    /// The GPU cannot, or stopped.
-    #[error(transparent)]
-    Gpu(#[from] GpuError),
+impl From<GpuError> for DrawError {
+    fn from(error: GpuError) -> Self {
+        Self::Device(Box::new(error))
+    }
 }
 
 /// Draws pictures on a GPU. Its pipelines are made once, for all pictures; its textures stay from one picture to the next
 /// of the same size.
 #[derive(Debug)]
-pub struct Renderer {
+pub struct GpuRenderer {
     gpu: Gpu,
     /// By how many samples a pixel has.
     plain: Pipelines,
@@ -77,11 +71,11 @@ pub struct Renderer {
     targets: Mutex<Option<Targets>>,
 }
 
-impl Renderer {
+impl GpuRenderer {
     /// Makes all that does not depend on the picture.
     ///
     /// # Errors
-    /// What the device says.
+    /// [`GpuError`] with what the device says.
     pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
         Self::with(gpu, LARGEST_TILE, gpu.has_sample_shading())
     }
@@ -99,48 +93,29 @@ impl Renderer {
         })
     }
 
-    /// Draws the scene, which fills the picture: [`Picture::draw`] on the GPU.
-    ///
-    /// # Errors
-    /// [`DrawError::Scene`] for a size, camera or scene that makes no sense; what the device says.
-    pub fn draw(&self, picture: &Picture, scene: &Scene) -> Result<Image, DrawError> {
-        let view = picture.view(scene, scene.positions.iter().copied())?;
-        self.draw_from(picture, scene, &view)
-    }
-
-    /// Draws the scene as this view shows it: [`Picture::draw_from`] on the GPU.
-    ///
-    /// # Errors
-    /// [`DrawError::Scene`] for a size or scene that makes no sense; what the device says.
-    pub fn draw_from(&self, picture: &Picture, scene: &Scene, view: &View) -> Result<Image, DrawError> {
-        scene.check()?;
-        let positions = self.gpu.scoped(|| scene::positions(&self.gpu, &scene.positions))?;
-        self.draw_positions(picture, scene, view, &positions)
-    }
-
     /// Draws a sheet where a simulation's session has left it, from the simulation's own memory: positions do not pass
     /// through the processor.
     ///
-    /// Everything but positions is the scene's: its triangles and lines, its map and its layers. Layers belong to the
-    /// positions that the scene has; take them away where the sheet has moved since. Without a `view` the sheet fills the
+    /// Everything but positions is the figure's: its triangles and lines, its map and its layers. Layers belong to the
+    /// positions that the figure has; take them away where the sheet has moved since. Without a `view` the sheet fills the
     /// picture, for which its outermost nodes are read: with an orthographic camera exactly, with a perspective one it may
     /// reach into the margins.
     ///
     /// # Errors
-    /// [`DrawError::Scene`] for a size, camera or scene that makes no sense, or a scene of another sheet;
-    /// [`GpuError::Refused`] for a session on another GPU, and whatever else the device says.
+    /// [`DrawError::Invalid`] for a size, camera or figure that makes no sense, or a figure of another sheet;
+    /// [`DrawError::Device`] with [`GpuError::Refused`] for a session on another GPU, or with whatever the device says.
     pub fn draw_session<S>(
         &self,
         picture: &Picture,
-        scene: &Scene,
+        figure: &Figure,
         session: &OnModel<'_, S>,
         view: Option<&View>,
     ) -> Result<Image, DrawError> {
-        scene.check()?;
+        figure.check()?;
         let engine = session.engine()?;
-        if scene.positions.len() != engine.variant.nodes {
-            let problem = format!("has {} nodes", scene.positions.len());
-            return Err(Error::invalid("scene", problem, format!("the session's {}", engine.variant.nodes)).into());
+        if figure.positions.len() != engine.variant.nodes {
+            let problem = format!("has {} nodes", figure.positions.len());
+            return Err(Error::invalid("figure", problem, format!("the session's {}", engine.variant.nodes)).into());
         }
         if !engine.gpu.is(&self.gpu) {
             let adapters = format!("the session is on another device than the renderer, {}", self.gpu.adapter());
@@ -148,26 +123,26 @@ impl Renderer {
         }
         let positions = node_positions::positions(engine)?;
         match view {
-            Some(view) => self.draw_positions(picture, scene, view, &positions),
+            Some(view) => self.draw_positions(picture, figure, view, &positions),
             None => {
-                let outermost = self.extremes.of(&self.gpu, picture, &positions, scene.positions.len())?;
-                let view = picture.view(scene, outermost.into_iter())?;
-                self.draw_positions(picture, scene, &view, &positions)
+                let outermost = self.extremes.of(&self.gpu, picture, &positions, figure.positions.len())?;
+                let view = picture.view(figure, outermost.into_iter())?;
+                self.draw_positions(picture, figure, &view, &positions)
             }
         }
     }
 
-    /// Draws a scene that has been checked, with its nodes at `positions`.
+    /// Draws a figure that has been checked, with its nodes at `positions`.
     fn draw_positions(
         &self,
         picture: &Picture,
-        scene: &Scene,
+        figure: &Figure,
         view: &View,
         positions: &wgpu::Buffer,
     ) -> Result<Image, DrawError> {
         let mut image = Image::new(picture.width, picture.height, picture.theme.background)?;
         let (pipelines, factor) = self.sampling(picture.samples)?;
-        let shot = Shot { picture, scene, view, factor };
+        let shot = Shot { picture, figure, view, factor };
         let uploaded = Uploaded::new(&self.gpu, pipelines, &shot, positions)?;
         let tiles = tiles::Tiles::new(picture, self.tile, factor);
         let mut kept = self.targets.lock().unwrap_or_else(PoisonError::into_inner);
@@ -177,7 +152,7 @@ impl Renderer {
             image.place(&Image { width: tile.width, height: tile.height, pixels }, tile.left, tile.top);
         }
         *kept = Some(targets);
-        picture.annotate(scene, &mut image);
+        picture.annotate(figure, &mut image);
         Ok(image)
     }
 
@@ -194,5 +169,14 @@ impl Renderer {
             // As many samples, on a plain grid.
             None => (&self.plain, 2 * finer),
         })
+    }
+}
+
+/// What the device says is a [`GpuError`] in [`DrawError::Device`].
+impl Renderer for GpuRenderer {
+    fn draw_from(&self, picture: &Picture, figure: &Figure, view: &View) -> Result<Image, DrawError> {
+        figure.check()?;
+        let positions = self.gpu.scoped(|| upload::positions(&self.gpu, &figure.positions))?;
+        self.draw_positions(picture, figure, view, &positions)
     }
 }

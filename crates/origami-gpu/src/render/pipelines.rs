@@ -13,7 +13,7 @@ pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Samples of a pixel that is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sampling {
-    /// One, in its middle.
+    /// One sample a pixel, in the pixel's middle.
     Single,
     /// Four, as every adapter has them.
     Four,
@@ -51,7 +51,7 @@ impl Pipelines {
     pub(super) fn new(gpu: &Gpu, sampling: Sampling) -> Self {
         let layout = bindings(gpu);
         let pipelines = gpu.device().create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("scene"),
+            label: Some("figure"),
             bind_group_layouts: &[Some(&layout)],
             ..Default::default()
         });
@@ -127,6 +127,6 @@ fn bindings(gpu: &Gpu) -> wgpu::BindGroupLayout {
         count: None,
     };
     let entries: Vec<_> = (0..).zip(BINDINGS).map(entry).collect();
-    let descriptor = wgpu::BindGroupLayoutDescriptor { label: Some("scene"), entries: &entries };
+    let descriptor = wgpu::BindGroupLayoutDescriptor { label: Some("figure"), entries: &entries };
     gpu.device().create_bind_group_layout(&descriptor)
 }

@@ -3,7 +3,7 @@
 use origami_shaders::render::RESOLVE;
 
 use super::layout::Resolve;
-use super::scene::buffer;
+use super::upload::buffer;
 use crate::device::Gpu;
 use crate::mapped::Reading;
 

@@ -3,11 +3,11 @@
 
 use origami_picture::Picture;
 
-use super::Renderer;
+use super::GpuRenderer;
 use super::layout::{Resolve, Tile as TileUniform};
 use super::pipelines::Pipelines;
-use super::scene::Uploaded;
 use super::targets::Targets;
+use super::upload::Uploaded;
 use crate::error::GpuError;
 
 /// A part of the picture, in its pixels.
@@ -19,7 +19,7 @@ pub(super) struct Tile {
     pub(super) height: u32,
 }
 
-/// How a picture is cut.
+/// The tiles into which a picture is cut.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tiles {
     picture: [u32; 2],
@@ -43,7 +43,7 @@ impl Tiles {
         self.size.map(|side| side * self.factor)
     }
 
-    /// Row by row.
+    /// All tiles, row by row.
     pub(super) fn all(self) -> impl Iterator<Item = Tile> {
         let starts = move |axis: usize| (0..self.picture[axis]).step_by(self.size[axis] as usize);
         let tile = move |left: u32, top: u32| Tile {
@@ -56,28 +56,28 @@ impl Tiles {
     }
 }
 
-impl Renderer {
+impl GpuRenderer {
     /// The finished pixels of a tile: red, green, blue and alpha, row by row.
     pub(super) fn draw_tile(
         &self,
         pipelines: &Pipelines,
-        scene: &Uploaded,
+        figure: &Uploaded,
         targets: &Targets,
         tile: &Tile,
     ) -> Result<Vec<u8>, GpuError> {
-        let origin = [tile.left, tile.top].map(|x| (x * scene.factor) as f32);
+        let origin = [tile.left, tile.top].map(|x| (x * figure.factor) as f32);
         let place = TileUniform { origin, size: targets.size.map(|side| side as f32) };
         let settings = Resolve {
-            ground: scene.ground,
-            factor: scene.factor,
+            ground: figure.ground,
+            factor: figure.factor,
             size: [tile.width, tile.height],
-            bare: u32::from_le_bytes(scene.bare),
+            bare: u32::from_le_bytes(figure.bare),
             unused: 0,
         };
         let reading = self.gpu.scoped(|| {
-            self.gpu.queue().write_buffer(&scene.tile, 0, bytemuck::bytes_of(&place));
+            self.gpu.queue().write_buffer(&figure.tile, 0, bytemuck::bytes_of(&place));
             let mut encoder = self.gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            record(&mut encoder, pipelines, scene, targets);
+            record(&mut encoder, pipelines, figure, targets);
             self.resolver.read(&self.gpu, encoder, &targets.light, &settings)
         })?;
         reading.wait(&self.gpu)
@@ -85,7 +85,7 @@ impl Renderer {
 }
 
 /// Paper, then the lines on it.
-fn record(encoder: &mut wgpu::CommandEncoder, pipelines: &Pipelines, scene: &Uploaded, targets: &Targets) {
+fn record(encoder: &mut wgpu::CommandEncoder, pipelines: &Pipelines, figure: &Uploaded, targets: &Targets) {
     let (view, resolve_target) = match &targets.samples {
         Some(samples) => (samples, Some(&targets.light)),
         None => (&targets.light, None),
@@ -106,14 +106,14 @@ fn record(encoder: &mut wgpu::CommandEncoder, pipelines: &Pipelines, scene: &Upl
         }),
         ..Default::default()
     });
-    pass.set_bind_group(0, &scene.bindings, &[]);
-    if scene.face_corners > 0 {
+    pass.set_bind_group(0, &figure.bindings, &[]);
+    if figure.face_corners > 0 {
         pass.set_pipeline(&pipelines.faces);
-        pass.draw(0..scene.face_corners, 0..1);
+        pass.draw(0..figure.face_corners, 0..1);
     }
-    if scene.line_corners > 0 {
+    if figure.line_corners > 0 {
         pass.set_pipeline(&pipelines.lines);
-        pass.set_index_buffer(scene.line_indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..scene.line_corners, 0, 0..1);
+        pass.set_index_buffer(figure.line_indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..figure.line_corners, 0, 0..1);
     }
 }

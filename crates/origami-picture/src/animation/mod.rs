@@ -59,7 +59,7 @@ enum Encoder<W: Write> {
 }
 
 impl Animation {
-    /// Begins to write it.
+    /// Writes what comes before the frames.
     ///
     /// # Errors
     /// [`Error::Invalid`] for no frames, or a size that the format has no room for; [`Error::Io`] with path `-` if writing
@@ -100,7 +100,7 @@ impl<W: Write> Frames<W> {
         }
     }
 
-    /// Ends the file.
+    /// Writes what comes after the frames.
     ///
     /// # Errors
     /// [`Error::Invalid`] if frames are missing; [`Error::Io`] with path `-` if writing fails.

@@ -21,13 +21,13 @@ impl Buffer {
     pub(super) fn positions(&mut self, values: &[Vec3]) -> usize {
         let low = values.iter().copied().reduce(Vec3::min).unwrap_or_default();
         let high = values.iter().copied().reduce(Vec3::max).unwrap_or_default();
-        let place = self.normals(values);
+        let index = self.normals(values);
         let bounds = |v: Vec3| json!(v.to_array());
-        if let Some(accessor) = self.accessors.get_mut(place) {
+        if let Some(accessor) = self.accessors.get_mut(index) {
             accessor["min"] = bounds(low);
             accessor["max"] = bounds(high);
         }
-        place
+        index
     }
 
     /// Normals, or how they turn.
@@ -40,24 +40,24 @@ impl Buffer {
     pub(super) fn colours(&mut self, values: &[[f32; 3]]) -> usize {
         let channel = |c: f32| (c.clamp(0.0, 1.0) * 65535.0 + 0.5) as u16;
         let bytes = values.iter().flat_map(|[r, g, b]| [channel(*r), channel(*g), channel(*b), u16::MAX]);
-        let place =
+        let index =
             self.put(bytes.flat_map(u16::to_le_bytes), values.len(), UNSIGNED_SHORT, "VEC4", Some(ARRAY_BUFFER));
-        if let Some(accessor) = self.accessors.get_mut(place) {
+        if let Some(accessor) = self.accessors.get_mut(index) {
             accessor["normalized"] = json!(true);
         }
-        place
+        index
     }
 
     /// Plain numbers, for animations.
     pub(super) fn numbers(&mut self, values: &[f32]) -> usize {
         let low = values.iter().copied().fold(f32::INFINITY, f32::min);
         let high = values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
-        let place = self.put(values.iter().flat_map(|v| v.to_le_bytes()), values.len(), FLOAT, "SCALAR", None);
-        if let Some(accessor) = self.accessors.get_mut(place) {
+        let index = self.put(values.iter().flat_map(|v| v.to_le_bytes()), values.len(), FLOAT, "SCALAR", None);
+        if let Some(accessor) = self.accessors.get_mut(index) {
             accessor["min"] = json!([low]);
             accessor["max"] = json!([high]);
         }
-        place
+        index
     }
 
     fn put(

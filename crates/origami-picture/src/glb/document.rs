@@ -5,7 +5,7 @@ use origami_core::glam::Vec3;
 use serde_json::{Map, Value, json};
 
 use super::buffer::Buffer;
-use super::{normals, places};
+use super::{normals, positions_of};
 
 /// Draws pairs of vertices as lines.
 const LINES: u32 = 1;
@@ -33,7 +33,7 @@ impl Document {
         corner_colours: Option<Vec<[f32; 3]>>,
         paper: [f32; 3],
     ) {
-        let first = places(corners, &states[0]);
+        let first = positions_of(corners, &states[0]);
         let first_normals = normals(&first);
         let mut attributes = Map::new();
         attributes.insert("POSITION".into(), self.buffer.positions(&first).into());
@@ -43,7 +43,7 @@ impl Document {
             attributes.insert("COLOR_0".into(), self.buffer.colours(&colours).into());
         }
         let targets = states[1..].iter().map(|state| {
-            let there = places(corners, state);
+            let there = positions_of(corners, state);
             let turned = difference(&normals(&there), &first_normals);
             let position = self.buffer.positions(&difference(&there, &first));
             json!({ "POSITION": position, "NORMAL": self.buffer.normals(&turned) })
@@ -60,13 +60,13 @@ impl Document {
 
     /// Lines between pairs of nodes, coloured at their ends.
     pub(super) fn lines(&mut self, ends: &[u32], states: &[Vec<[f32; 3]>], colours: Vec<[f32; 3]>) {
-        let first = places(ends, &states[0]);
+        let first = positions_of(ends, &states[0]);
         let mut attributes = Map::new();
         attributes.insert("POSITION".into(), self.buffer.positions(&first).into());
         attributes.insert("COLOR_0".into(), self.buffer.colours(&colours).into());
         let targets = states[1..].iter();
         let targets = targets
-            .map(|state| json!({ "POSITION": self.buffer.positions(&difference(&places(ends, state), &first)) }))
+            .map(|state| json!({ "POSITION": self.buffer.positions(&difference(&positions_of(ends, state), &first)) }))
             .collect();
         let mut lines = primitive(attributes, INK, targets);
         lines["mode"] = json!(LINES);
@@ -95,7 +95,7 @@ impl Document {
         }));
     }
 
-    /// The file.
+    /// The bytes of the file.
     pub(super) fn into_bytes(self) -> Result<Vec<u8>, Error> {
         let mut mesh = json!({ "name": "sheet", "primitives": self.primitives });
         if self.targets > 0 {

@@ -11,8 +11,8 @@ use std::io::Write;
 use origami_core::Error;
 use origami_core::glam::Vec3;
 
+use crate::figure::{Figure, LineSet};
 use crate::map::Values;
-use crate::scene::{LineSet, Scene};
 use crate::theme::Theme;
 use buffer::Buffer;
 use document::Document;
@@ -35,34 +35,34 @@ impl Default for Glb {
 }
 
 impl Glb {
-    /// Writes `scene` going through `states`, each the positions of all nodes in radii; without any it is shown as it is.
+    /// Writes `figure` going through `states`, each the positions of all nodes in radii; without any it is shown as it is.
     /// A map colours all states alike.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a scene that makes no sense, a state of another sheet, a sheet without triangles, or a file
+    /// [`Error::Invalid`] for a figure that makes no sense, a state of another sheet, a sheet without triangles, or a file
     /// beyond 4 GB; [`Error::Io`] with path `-` if writing fails.
-    pub fn write(&self, scene: &Scene, states: &[Vec<[f32; 3]>], mut writer: impl Write) -> Result<(), Error> {
-        scene.check()?;
-        if scene.triangles.is_empty() {
+    pub fn write(&self, figure: &Figure, states: &[Vec<[f32; 3]>], mut writer: impl Write) -> Result<(), Error> {
+        figure.check()?;
+        if figure.triangles.is_empty() {
             return Err(Error::invalid("glTF", "the sheet has no faces", "at least one triangle"));
         }
-        let own = [scene.positions.clone()];
+        let own = [figure.positions.clone()];
         let states = if states.is_empty() { &own[..] } else { states };
         for (i, state) in states.iter().enumerate() {
-            if state.len() != scene.positions.len() || !state.iter().flatten().all(|x| x.is_finite()) {
-                let expected = format!("{} finite ones", scene.positions.len());
+            if state.len() != figure.positions.len() || !state.iter().flatten().all(|x| x.is_finite()) {
+                let expected = format!("{} finite ones", figure.positions.len());
                 return Err(Error::invalid(format!("state {i}"), format!("{} positions", state.len()), expected));
             }
         }
-        let file = self.file(scene, states)?;
+        let file = self.file(figure, states)?;
         writer.write_all(&file).and_then(|()| writer.flush()).map_err(|source| Error::Io { path: "-".into(), source })
     }
 
-    fn file(&self, scene: &Scene, states: &[Vec<[f32; 3]>]) -> Result<Vec<u8>, Error> {
+    fn file(&self, figure: &Figure, states: &[Vec<[f32; 3]>]) -> Result<Vec<u8>, Error> {
         let mut document = Document::new(Buffer::default());
-        let corners: Vec<u32> = scene.triangles.iter().flatten().copied().collect();
-        document.faces(&corners, states, self.colours(scene), self.theme.front.linear());
-        let lines: Vec<_> = scene.lines.iter().filter(|line| self.edges.has(line.kind)).collect();
+        let corners: Vec<u32> = figure.triangles.iter().flatten().copied().collect();
+        document.faces(&corners, states, self.colours(figure), self.theme.front.linear());
+        let lines: Vec<_> = figure.lines.iter().filter(|line| self.edges.has(line.kind)).collect();
         if !lines.is_empty() {
             let ends: Vec<u32> = lines.iter().flat_map(|line| line.nodes).collect();
             let colours = lines.iter().flat_map(|line| [self.theme.line(line.kind).colour.linear(); 2]).collect();
@@ -73,23 +73,23 @@ impl Glb {
     }
 
     /// The map's colour of each corner of each triangle, as light.
-    fn colours(&self, scene: &Scene) -> Option<Vec<[f32; 3]>> {
-        let map = scene.map.as_ref()?;
+    fn colours(&self, figure: &Figure) -> Option<Vec<[f32; 3]>> {
+        let map = figure.map.as_ref()?;
         let colour = |value: f32| map.scale.colours.colour(f64::from(map.scale.share(value))).linear();
         Some(match &map.values {
-            Values::Nodes(values) => scene.triangles.iter().flatten().map(|n| colour(values[*n as usize])).collect(),
+            Values::Nodes(values) => figure.triangles.iter().flatten().map(|n| colour(values[*n as usize])).collect(),
             Values::Triangles(values) => values.iter().flat_map(|value| [colour(*value); 3]).collect(),
         })
     }
 }
 
 /// Positions of these nodes. glTF's y points up, the sheet's z does.
-fn places(nodes: &[u32], state: &[[f32; 3]]) -> Vec<Vec3> {
+fn positions_of(nodes: &[u32], state: &[[f32; 3]]) -> Vec<Vec3> {
     nodes.iter().map(|n| state[*n as usize]).map(|[x, y, z]| Vec3::new(x, z, -y)).collect()
 }
 
 /// The normal of each corner's triangle; upwards where it has none.
-fn normals(places: &[Vec3]) -> Vec<Vec3> {
+fn normals(positions: &[Vec3]) -> Vec<Vec3> {
     let of = |t: &[Vec3]| (t[1] - t[0]).cross(t[2] - t[0]).try_normalize().unwrap_or(Vec3::Y);
-    places.chunks_exact(3).flat_map(|triangle| [of(triangle); 3]).collect()
+    positions.chunks_exact(3).flat_map(|triangle| [of(triangle); 3]).collect()
 }

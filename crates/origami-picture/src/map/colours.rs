@@ -25,8 +25,8 @@ impl ColourMap {
     /// The map of this name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
-        let place = Self::NAMES.iter().position(|known| *known == name)?;
-        Self::ALL.get(place).copied()
+        let index = Self::NAMES.iter().position(|known| *known == name)?;
+        Self::ALL.get(index).copied()
     }
 
     /// The colour of a share; below 0, above 1 and what is no number take the colours at the ends.

@@ -14,7 +14,7 @@ use origami_core::{Model, State};
 pub enum Values {
     /// By node; colours run between them.
     Nodes(Vec<f32>),
-    /// By triangle.
+    /// One value for each triangle.
     Triangles(Vec<f32>),
 }
 
@@ -64,8 +64,8 @@ impl Quantity {
     /// The quantity of this name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
-        let place = Self::NAMES.iter().position(|known| *known == name)?;
-        Self::ALL.get(place).copied()
+        let index = Self::NAMES.iter().position(|known| *known == name)?;
+        Self::ALL.get(index).copied()
     }
 
     /// What stands over the colour bar: the quantity and its unit.

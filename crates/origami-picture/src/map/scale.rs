@@ -5,7 +5,7 @@ use super::ColourMap;
 /// How values become colours, and what is said about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scale {
-    /// The colours.
+    /// The colours from the least to the largest value.
     pub colours: ColourMap,
     /// The value of the last colour; the first is that of 0.
     pub clip: f64,
@@ -55,14 +55,14 @@ pub fn round_up(value: f64) -> f64 {
     enough.and_then(|(_, digit, power)| format!("{digit}e{power}").parse().ok()).unwrap_or(value)
 }
 
-/// The place of the last digit that a number written with three has.
+/// The worth of the last digit that a number written with three has.
 fn round_down_to_digit(value: f64) -> f64 {
     let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    let mut place = 10.0_f64.powi(rounded.abs().log10().floor() as i32 - 2);
-    while place < rounded && ((rounded / (place * 10.0)).round() * place * 10.0 - rounded).abs() < 1e-9 * rounded {
-        place *= 10.0;
+    let mut worth = 10.0_f64.powi(rounded.abs().log10().floor() as i32 - 2);
+    while worth < rounded && ((rounded / (worth * 10.0)).round() * worth * 10.0 - rounded).abs() < 1e-9 * rounded {
+        worth *= 10.0;
     }
-    place
+    worth
 }
 
 /// With as many digits as steps of this size need.

@@ -1,8 +1,8 @@
 //! Triangles that lie upon each other in a circle: no depths say which is in front, so pairs do.
 
 use crate::camera::View;
+use crate::figure::Figure;
 use crate::layers::NEAR;
-use crate::scene::Scene;
 
 /// By triangle: those that it is in front of or behind.
 pub(super) struct Circles {
@@ -14,15 +14,15 @@ pub(super) struct Circles {
 }
 
 impl Circles {
-    pub(super) fn new(scene: &Scene, view: &View) -> Self {
+    pub(super) fn new(figure: &Figure, view: &View) -> Self {
         let mut entries: Vec<(u32, u32, bool)> = Vec::new();
-        for [low, high] in &scene.circles {
-            let up = scene.layers.get(*low as usize).map(|layer| layer.up).unwrap_or_default();
+        for [low, high] in &figure.circles {
+            let up = figure.layers.get(*low as usize).map(|layer| layer.up).unwrap_or_default();
             let from_above = up.iter().zip(view.towards).map(|(a, b)| a * b).sum::<f32>() > 0.0;
             entries.extend([(*low, *high, !from_above), (*high, *low, from_above)]);
         }
         entries.sort_unstable();
-        let mut starts = vec![0; if entries.is_empty() { 0 } else { scene.triangles.len() + 1 }];
+        let mut starts = vec![0; if entries.is_empty() { 0 } else { figure.triangles.len() + 1 }];
         for (triangle, ..) in &entries {
             starts[*triangle as usize + 1] += 1;
         }
@@ -52,8 +52,8 @@ impl Circles {
     fn pair(&self, triangle: u32, other: u32) -> Option<bool> {
         let t = triangle as usize;
         let own = self.others.get(*self.starts.get(t)?..*self.starts.get(t + 1)?)?;
-        let place = own.binary_search_by_key(&other, |(other, _)| *other).ok()?;
-        own.get(place).map(|(_, front)| *front)
+        let index = own.binary_search_by_key(&other, |(other, _)| *other).ok()?;
+        own.get(index).map(|(_, front)| *front)
     }
 
     /// The two triangles beside a line, the one in front first.

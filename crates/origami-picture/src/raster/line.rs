@@ -7,8 +7,8 @@
 use super::circles::Circles;
 use super::{BIAS, Bounds, Corner, Facet, Plane};
 use crate::camera::View;
+use crate::figure::{Figure, LineKind};
 use crate::picture::Picture;
-use crate::scene::{LineKind, Scene};
 use crate::theme::{Dash, LineStyle};
 
 /// A steep face brings its line no nearer than this, in half widths of the line.
@@ -95,9 +95,9 @@ pub fn bias(kind: LineKind) -> f64 {
 
 /// The theme's style, but over a map all creases are alike.
 #[must_use]
-pub fn style(picture: &Picture, scene: &Scene, kind: LineKind) -> LineStyle {
+pub fn style(picture: &Picture, figure: &Figure, kind: LineKind) -> LineStyle {
     let style = *picture.theme.line(kind);
-    if scene.map.is_none() || matches!(kind, LineKind::Boundary | LineKind::Cut) {
+    if figure.map.is_none() || matches!(kind, LineKind::Boundary | LineKind::Cut) {
         return style;
     }
     LineStyle { colour: picture.theme.over_map, width: 0.6 * style.width, dash: None }
@@ -106,7 +106,7 @@ pub fn style(picture: &Picture, scene: &Scene, kind: LineKind) -> LineStyle {
 /// All lines that the picture shows, those first that others may cover.
 pub(super) fn strokes(
     picture: &Picture,
-    scene: &Scene,
+    figure: &Figure,
     view: &View,
     corners: &[Option<Corner>],
     facets: &[Option<Facet>],
@@ -115,12 +115,12 @@ pub(super) fn strokes(
     let (scale, pixel, depth) = (picture.line_scale(), f64::from(view.pixel), f64::from(view.depth));
     let mut strokes = Vec::new();
     for kind in ORDER {
-        let style = style(picture, scene, kind);
+        let style = style(picture, figure, kind);
         let half = 0.5 * f64::from(style.width * scale);
         if !(picture.edges.has(kind) && half > 0.0 && half < 1e4) {
             continue;
         }
-        for line in scene.lines.iter().filter(|line| line.kind == kind) {
+        for line in figure.lines.iter().filter(|line| line.kind == kind) {
             let [Some(a), Some(b)] = line.nodes.map(|n| corners.get(n as usize).copied().flatten()) else { continue };
             let faces = line.triangles.map(|t| facets.get(t? as usize)?.as_ref().map(|f| f.depth));
             let faces = faces.map(|face| face.filter(|plane| plane.dx.hypot(plane.dy) < EDGE_ON * depth));

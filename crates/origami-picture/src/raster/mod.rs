@@ -9,14 +9,14 @@ mod samples;
 mod tile;
 mod triangle;
 
-use origami_core::Error;
 use rayon::prelude::*;
 
 use crate::camera::View;
+use crate::figure::Figure;
 use crate::image::Image;
 use crate::layers::LAYER;
 use crate::picture::Picture;
-use crate::scene::Scene;
+use crate::renderer::{DrawError, Renderer};
 use circles::Circles;
 use line::Stroke;
 pub use line::{EDGE_ON, ORDER, STEEP, bias, style};
@@ -28,41 +28,47 @@ pub use triangle::{UNDER_MAP, lift};
 /// below stay hidden.
 pub const BIAS: f64 = 0.3 * LAYER;
 
-/// Draws `scene` as `view` shows it.
-pub(crate) fn draw(picture: &Picture, scene: &Scene, view: &View) -> Result<Image, Error> {
-    scene.check()?;
-    let pattern = samples::pattern(picture.samples)?;
-    let mut image = Image::new(picture.width, picture.height, picture.theme.background)?;
-    let screen = Screen::new(picture, view);
-    let corners: Vec<Option<Corner>> = scene.positions.iter().map(|p| screen.corner(*p)).collect();
-    let facets: Vec<Option<Facet>> = triangle::facets(picture, scene, view, &corners);
-    let circles = Circles::new(scene, view);
-    let strokes: Vec<Stroke> = line::strokes(picture, scene, view, &corners, &facets, &circles);
+/// The renderer that needs no GPU. It uses the threads of the pool that it is called in; their number changes no bit.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Processor;
 
-    let table = scene.map.as_ref().map_or_else(Vec::new, |map| map.scale.colours.table());
-    let columns = (picture.width as usize).div_ceil(SIZE);
-    let rows = (picture.height as usize).div_ceil(SIZE);
-    let facets_at = Bins::new(columns, rows, facets.iter().map(|f| f.as_ref().map(|f| f.bounds)));
-    let strokes_at = Bins::new(columns, rows, strokes.iter().map(|s| Some(s.bounds)));
-    let width = picture.width as usize;
-    image.pixels.par_chunks_mut(4 * width * SIZE).enumerate().for_each(|(row, band)| {
-        let mut tile = Tile::new(pattern, picture.theme.background, &circles);
-        for column in 0..columns {
-            tile.clear(column, row);
-            for f in facets_at.of(column, row) {
-                if let Some(Some(facet)) = facets.get(*f as usize) {
-                    tile.facet(*f, facet, &table);
+impl Renderer for Processor {
+    fn draw_from(&self, picture: &Picture, figure: &Figure, view: &View) -> Result<Image, DrawError> {
+        figure.check()?;
+        let pattern = samples::pattern(picture.samples)?;
+        let mut image = Image::new(picture.width, picture.height, picture.theme.background)?;
+        let screen = Screen::new(picture, view);
+        let corners: Vec<Option<Corner>> = figure.positions.iter().map(|p| screen.corner(*p)).collect();
+        let facets: Vec<Option<Facet>> = triangle::facets(picture, figure, view, &corners);
+        let circles = Circles::new(figure, view);
+        let strokes: Vec<Stroke> = line::strokes(picture, figure, view, &corners, &facets, &circles);
+
+        let table = figure.map.as_ref().map_or_else(Vec::new, |map| map.scale.colours.table());
+        let columns = (picture.width as usize).div_ceil(SIZE);
+        let rows = (picture.height as usize).div_ceil(SIZE);
+        let facets_at = Bins::new(columns, rows, facets.iter().map(|f| f.as_ref().map(|f| f.bounds)));
+        let strokes_at = Bins::new(columns, rows, strokes.iter().map(|s| Some(s.bounds)));
+        let width = picture.width as usize;
+        image.pixels.par_chunks_mut(4 * width * SIZE).enumerate().for_each(|(row, band)| {
+            let mut tile = Tile::new(pattern, picture.theme.background, &circles);
+            for column in 0..columns {
+                tile.clear(column, row);
+                for f in facets_at.of(column, row) {
+                    if let Some(Some(facet)) = facets.get(*f as usize) {
+                        tile.facet(*f, facet, &table);
+                    }
                 }
-            }
-            for s in strokes_at.of(column, row) {
-                if let Some(stroke) = strokes.get(*s as usize) {
-                    tile.stroke(stroke);
+                for s in strokes_at.of(column, row) {
+                    if let Some(stroke) = strokes.get(*s as usize) {
+                        tile.stroke(stroke);
+                    }
                 }
+                tile.resolve(band, width);
             }
-            tile.resolve(band, width);
-        }
-    });
-    Ok(image)
+        });
+        picture.annotate(figure, &mut image);
+        Ok(image)
+    }
 }
 
 /// A node in the picture.

@@ -6,10 +6,10 @@ use super::samples::Pattern;
 use super::triangle::Facet;
 use crate::colour::Rgb;
 
-/// No triangle.
+/// The owner of a sample that no triangle covers.
 const NOBODY: u32 = u32::MAX;
 
-/// Pixels a side.
+/// Pixels along a side of a tile.
 pub(super) const SIZE: usize = 32;
 
 /// Depth and colour of each sample.
@@ -87,9 +87,9 @@ impl<'a> Tile<'a> {
                 if facet.edges.iter().all(|edge| edge.holds(sx, sy)) {
                     let depth = facet.depth.of(sx, sy).clamp(facet.range[0], facet.range[1]);
                     let here = [depth, facet.bare.of(sx, sy)];
-                    let told =
+                    let in_front =
                         self.owner(first + i).and_then(|(o, bare)| self.circles.in_front([name, o], [here[1], bare]));
-                    self.put(first + i, here, colour, told, Some(name));
+                    self.put(first + i, here, colour, in_front, Some(name));
                 }
             }
         }
@@ -106,10 +106,10 @@ impl<'a> Tile<'a> {
             }
             for (i, [dx, dy]) in pattern.iter().enumerate() {
                 if let Some(here) = stroke.cover(x + dx, y + dy) {
-                    let told = self
+                    let in_front = self
                         .owner(first + i)
                         .and_then(|(o, bare)| self.circles.line_in_front(stroke.triangles, o, [here[1], bare]));
-                    self.put(first + i, here, stroke.colour, told, stroke.triangles[0]);
+                    self.put(first + i, here, stroke.colour, in_front, stroke.triangles[0]);
                 }
             }
         }
@@ -122,12 +122,12 @@ impl<'a> Tile<'a> {
         Some((owner, *self.bare.get(sample)?))
     }
 
-    /// Of equal depths the later wins: lines of one kind that meet. Where something has `told` whether this is in front,
+    /// Of equal depths the later wins: lines of one kind that meet. Where it is known whether this is `in_front`,
     /// depth does not count.
     #[inline(always)]
-    fn put(&mut self, sample: usize, here: [f64; 2], colour: [f32; 3], told: Option<bool>, owner: Option<u32>) {
+    fn put(&mut self, sample: usize, here: [f64; 2], colour: [f32; 3], in_front: Option<bool>, owner: Option<u32>) {
         let depth = here[0] as f32;
-        if told.unwrap_or(depth <= self.depths[sample]) {
+        if in_front.unwrap_or(depth <= self.depths[sample]) {
             self.depths[sample] = depth;
             self.colours[sample] = colour;
             if let (Some(place), Some(bare)) = (self.owners.get_mut(sample), self.bare.get_mut(sample)) {

@@ -4,10 +4,10 @@ use origami_core::glam::DVec3;
 
 use super::{Bounds, Corner, Plane};
 use crate::camera::View;
+use crate::figure::Figure;
 use crate::layers::Layer;
 use crate::map::Values;
 use crate::picture::Picture;
-use crate::scene::Scene;
 use crate::shade::brightness;
 
 /// A triangle in the picture.
@@ -68,24 +68,29 @@ impl Edge {
 pub const UNDER_MAP: f32 = 0.35;
 
 /// All triangles; `None` for those that are seen edge-on or lie behind the viewer.
-pub(super) fn facets(picture: &Picture, scene: &Scene, view: &View, corners: &[Option<Corner>]) -> Vec<Option<Facet>> {
+pub(super) fn facets(
+    picture: &Picture,
+    figure: &Figure,
+    view: &View,
+    corners: &[Option<Corner>],
+) -> Vec<Option<Facet>> {
     let sides = [picture.theme.front, picture.theme.back].map(|c| c.linear());
-    let strength = picture.theme.shading * if scene.map.is_some() { UNDER_MAP } else { 1.0 };
+    let strength = picture.theme.shading * if figure.map.is_some() { UNDER_MAP } else { 1.0 };
     let facet = |(i, nodes): (usize, &[u32; 3])| {
         let [a, b, c] = nodes.map(|n| corners.get(n as usize).copied().flatten());
         let seen = [a?, b?, c?];
-        let [p, q, r] = nodes.map(|n| DVec3::from_array(scene.positions[n as usize].map(f64::from)));
+        let [p, q, r] = nodes.map(|n| DVec3::from_array(figure.positions[n as usize].map(f64::from)));
         let area =
             (seen[1].x - seen[0].x) * (seen[2].y - seen[0].y) - (seen[1].y - seen[0].y) * (seen[2].x - seen[0].x);
         // With y down, what is counterclockwise on the paper has a negative area.
         let front = area < 0.0;
         let normal = (q - p).cross(r - p).normalize_or_zero() * if front { 1.0 } else { -1.0 };
         let light = brightness(normal.to_array().map(|x| x as f32), view.light, view.up, strength);
-        let lift = scene.layers.get(i).map_or([0.0; 3], |layer| lift(layer, view));
+        let lift = figure.layers.get(i).map_or([0.0; 3], |layer| lift(layer, view));
         let bare = plane(&seen, area, seen.map(|p| p.z));
         let seen = [0, 1, 2].map(|k| Corner { z: seen[k].z - lift[k], ..seen[k] });
         let mut facet = Facet::new(seen, area, bare, sides[usize::from(!front)])?;
-        match scene.map.as_ref().map(|map| (&map.values, &map.scale)) {
+        match figure.map.as_ref().map(|map| (&map.values, &map.scale)) {
             Some((Values::Triangles(values), scale)) => {
                 facet.colour = scale.colours.colour(f64::from(scale.share(values[i]))).linear();
             }
@@ -102,7 +107,7 @@ pub(super) fn facets(picture: &Picture, scene: &Scene, view: &View, corners: &[O
         facet.colour = facet.colour.map(|c| c * light);
         Some(facet)
     };
-    scene.triangles.iter().enumerate().map(facet).collect()
+    figure.triangles.iter().enumerate().map(facet).collect()
 }
 
 /// The plane that has these values at the corners of a triangle with this doubled area.

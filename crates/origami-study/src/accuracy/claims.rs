@@ -2,8 +2,8 @@
 
 use origami_core::{Dynamics, Folded, Relax, Solver, State};
 
+use super::cases::Case;
 use super::reference::{self, Branch, Equilibrium};
-use super::scenes::Scene;
 use crate::table::{Cell, Column, Table};
 
 /// Tolerances asked of `relax`, in radii.
@@ -25,7 +25,7 @@ pub(super) const COLUMNS: &[Column] = &[
     Column { key: "kept", head: "kept", meaning: "whether the distance is within the tolerance, where converged" },
 ];
 
-/// All claims.
+/// What solvers claim of their own errors, against the errors.
 pub(super) struct Claims {
     pub(super) table: Table,
 }
@@ -43,37 +43,37 @@ impl Claims {
         (made, Table { columns: COLUMNS, rows })
     }
 
-    /// Asks both solvers on a scene.
-    pub(super) fn add(&mut self, scene: &Scene, reference: &Equilibrium) {
+    /// Asks both solvers on a case.
+    pub(super) fn add(&mut self, case: &Case, reference: &Equilibrium) {
         for tolerance in TOLERANCES {
-            let relax = Relax { tolerance, ramp: Some(scene.ramp), ..Relax::default() };
-            self.ask("relax", &relax, tolerance, scene, reference);
+            let relax = Relax { tolerance, ramp: Some(case.ramp), ..Relax::default() };
+            self.ask("relax", &relax, tolerance, case, reference);
         }
-        let dynamics = Dynamics { ramp: scene.ramp, max_steps: MOST_STEPS, ..Dynamics::default() };
-        self.ask("dynamics", &dynamics, dynamics.tolerance, scene, reference);
+        let dynamics = Dynamics { ramp: case.ramp, max_steps: MOST_STEPS, ..Dynamics::default() };
+        self.ask("dynamics", &dynamics, dynamics.tolerance, case, reference);
     }
 
-    fn ask(&mut self, name: &str, solver: &dyn Solver, tolerance: f64, scene: &Scene, reference: &Equilibrium) {
-        let folded = solver.fold(&scene.model, &State::at_rest(&scene.model), scene.percent, &mut |_| {});
+    fn ask(&mut self, name: &str, solver: &dyn Solver, tolerance: f64, case: &Case, reference: &Equilibrium) {
+        let folded = solver.fold(&case.model, &State::at_rest(&case.model), case.percent, &mut |_| {});
         let Ok(folded) = folded else { return };
-        let (branch, own) = reference::branch(&scene.model, &folded.state, reference);
+        let (branch, own) = reference::branch(&case.model, &folded.state, reference);
         let distance = reference::error(&folded.state.positions, own.as_ref().unwrap_or(reference)).max;
-        self.table.push(row(name, &folded, tolerance, scene, branch, distance));
+        self.table.push(row(name, &folded, tolerance, case, branch, distance));
     }
 }
 
-fn row(name: &str, folded: &Folded, tolerance: f64, scene: &Scene, branch: Branch, distance: f64) -> Vec<Cell> {
+fn row(name: &str, folded: &Folded, tolerance: f64, case: &Case, branch: Branch, distance: f64) -> Vec<Cell> {
     vec![
-        scene.name.as_str().into(),
-        scene.percent.into(),
-        if scene.ramp == 0 { "jump" } else { "ramp" }.into(),
+        case.name.as_str().into(),
+        case.percent.into(),
+        if case.ramp == 0 { "jump" } else { "ramp" }.into(),
         name.into(),
         tolerance.into(),
         folded.steps.into(),
         folded.converged().into(),
         folded.distance.into(),
         distance.into(),
-        branch.told().into(),
+        branch.name().into(),
         folded.converged().then_some(distance <= tolerance).into(),
     ]
 }

@@ -10,7 +10,7 @@ use origami_core::{CreasePattern, Error, Material, Model, Newton, Relax, Solver,
 
 use crate::table::{Cell, Column, Table};
 
-/// A scene whose folded state is known.
+/// A case whose folded state is known.
 pub(super) struct Known {
     name: &'static str,
     pattern: CreasePattern,
@@ -87,7 +87,7 @@ pub(super) struct ClosedForms {
 pub(super) fn run(mut ran: impl FnMut(&str)) -> Result<ClosedForms, Error> {
     let mut found = ClosedForms { table: Table::new(COLUMNS), newton: 0.0, relax: 0.0 };
     let relax = |tolerance| Relax { tolerance, max_steps: 1_000_000, ..Relax::default() };
-    for known in scenes()? {
+    for known in cases()? {
         for (name, solver, tolerance) in [
             ("relax", Box::new(relax(1e-4)) as Box<dyn Solver>, Some(1e-4)),
             ("relax, tolerance 1e-8", Box::new(relax(1e-8)), Some(1e-8)),
@@ -131,10 +131,10 @@ pub(super) fn run(mut ran: impl FnMut(&str)) -> Result<ClosedForms, Error> {
     Ok(found)
 }
 
-/// The number of [`scenes`].
-pub(super) const SCENES: usize = 9;
+/// The number of [`cases`].
+pub(super) const CASES: usize = 9;
 
-fn scenes() -> Result<[Known; SCENES], Error> {
+fn cases() -> Result<[Known; CASES], Error> {
     let crease = SingleCrease { angle: 2.5, ..SingleCrease::default() };
     let miura = Miura { columns: 6, rows: 5, a: 1.1, b: 0.8, theta: 0.9, ..Miura::default() };
     let waterbomb = WaterbombVertex { n: 4, polar: 110_f64.to_radians(), radius: 1.0 };
@@ -195,8 +195,8 @@ fn kresling(name: &'static str, in_second: bool) -> Result<Known, Error> {
     // Vertices of the ring, found by where it was made.
     let at = |model: &Model, fold: &KreslingFold| -> Vec<DVec3> {
         let lattice = |p: DVec3| {
-            let mut places = (0..2).flat_map(|j| (0..kresling.n).map(move |i| (i, j)));
-            places.find(|(i, j)| made.vertex(*i, *j).distance(p) < 1e-9).unwrap_or((0, 0))
+            let mut indices = (0..2).flat_map(|j| (0..kresling.n).map(move |i| (i, j)));
+            indices.find(|(i, j)| made.vertex(*i, *j).distance(p) < 1e-9).unwrap_or((0, 0))
         };
         let nodes = model.mesh.vertex_of_node.iter().map(|v| lattice(vertices[v.index()]));
         nodes.map(|(i, j)| fold.vertex(i, j) / model.normalisation.radius).collect()
@@ -210,20 +210,20 @@ fn kresling(name: &'static str, in_second: bool) -> Result<Known, Error> {
 /// The closed form in radii, by node.
 fn miura_at(model: &Model, miura: &Miura) -> Vec<DVec3> {
     let (fold, across) = (miura.folded(), miura.columns + 1);
-    let place = |vertex: usize| fold.vertex(vertex % across, vertex / across);
-    model.mesh.vertex_of_node.iter().map(|v| place(v.index()) / model.normalisation.radius).collect()
+    let position = |vertex: usize| fold.vertex(vertex % across, vertex / across);
+    model.mesh.vertex_of_node.iter().map(|v| position(v.index()) / model.normalisation.radius).collect()
 }
 
 fn cylinder_at(model: &Model, yoshimura: &Yoshimura) -> Vec<DVec3> {
     let fold = YoshimuraFold { n: yoshimura.columns, c: yoshimura.c, alpha: yoshimura.alpha };
     // The strip's vertices lie at (c (2 i + j % 2), height j).
     let height = yoshimura.c * yoshimura.alpha.tan();
-    let place = |rest: DVec3| {
+    let position = |rest: DVec3| {
         let p = model.normalisation.to_file(rest);
         let j = (p.y / height).round();
         let i = ((p.x / yoshimura.c - j % 2.0) / 2.0).round();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small rounded numbers")]
         fold.vertex(i as usize, j as usize)
     };
-    model.rest.iter().map(|p| place(*p) / model.normalisation.radius).collect()
+    model.rest.iter().map(|p| position(*p) / model.normalisation.radius).collect()
 }

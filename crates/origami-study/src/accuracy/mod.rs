@@ -1,11 +1,11 @@
-//! Error against run time and force evaluations: every solver on every scene, held against the equilibrium itself.
+//! Error against run time and force evaluations: every solver on every case, held against the equilibrium itself.
 
+mod cases;
 mod claims;
 mod closed;
 mod omissions;
 mod reference;
 mod runs;
-mod scenes;
 mod tables;
 mod text;
 mod trail;
@@ -14,29 +14,29 @@ mod transient;
 use crate::options::Deadline;
 use crate::{Options, Part, Study, StudyError, Watch};
 
+use cases::{Case, cases};
 use claims::Claims;
 use runs::{Run, is_for_gpu, methods};
-use scenes::{Scene, scenes};
 use trail::On;
 
-/// Runs the study: for each scene each solver's error along its way; closed forms; the order of the time integration; what
+/// Runs the study: for each case each solver's error along its way; closed forms; the order of the time integration; what
 /// `converged` is worth; what leaving things out saves. A user's own patterns are studied without what needs no pattern.
 ///
 /// # Errors
 /// Where a pattern makes no model.
 pub fn study(options: &Options, watch: &mut dyn Watch) -> Result<Study, StudyError> {
     let deadline = Deadline::after(options.time_limit);
-    let scenes = scenes(options)?;
-    let methods: Vec<_> = scenes.iter().map(|scene| methods(scene, options.quick)).collect();
+    let cases = cases(options)?;
+    let methods: Vec<_> = cases.iter().map(|case| methods(case, options.quick)).collect();
     let shipped = options.patterns.is_empty();
     let on_gpu = methods.iter().flatten().filter(|method| is_for_gpu(method, &options.gpu)).count();
-    // Each scene's claims and reference beside its methods; transients and omissions.
-    let others = if shipped { closed::SCENES + 2 } else { 0 };
-    watch.begins(methods.iter().map(Vec::len).sum::<usize>() + on_gpu + 2 * scenes.len() + others);
+    // Each case's claims and reference beside its methods; transients and omissions.
+    let others = if shipped { closed::CASES + 2 } else { 0 };
+    watch.begins(methods.iter().map(Vec::len).sum::<usize>() + on_gpu + 2 * cases.len() + others);
 
     let mut found = Found { runs: Vec::new(), references: Vec::new(), claims: Claims::new(), left_out: Vec::new() };
-    for (scene, methods) in scenes.iter().zip(&methods) {
-        found.scene(scene, methods, options, deadline, watch);
+    for (case, methods) in cases.iter().zip(&methods) {
+        found.case(case, methods, options, deadline, watch);
     }
 
     let mut parts = text::introduction(&found, options);
@@ -59,30 +59,30 @@ pub fn study(options: &Options, watch: &mut dyn Watch) -> Result<Study, StudyErr
 /// What has been found so far.
 struct Found {
     runs: Vec<Run>,
-    references: Vec<(Scene, Option<reference::Equilibrium>)>,
+    references: Vec<(Case, Option<reference::Equilibrium>)>,
     claims: Claims,
     /// What there was no time for.
     left_out: Vec<String>,
 }
 
 impl Found {
-    fn scene(
+    fn case(
         &mut self,
-        scene: &Scene,
+        case: &Case,
         methods: &[runs::Method],
         options: &Options,
         deadline: Deadline,
         watch: &mut dyn Watch,
     ) {
-        let reference = if deadline.passed() { None } else { reference::of(scene) };
-        watch.ran(&format!("{}: reference", scene.title()));
+        let reference = if deadline.passed() { None } else { reference::of(case) };
+        watch.ran(&format!("{}: reference", case.title()));
         for method in methods {
             let gpu = is_for_gpu(method, &options.gpu).then_some(On::Gpu(&options.gpu));
             for on in [Some(On::Cpu), gpu].into_iter().flatten() {
-                let what = format!("{}: {}", scene.title(), method.name);
+                let what = format!("{}: {}", case.title(), method.name);
                 match &reference {
                     Some(reference) if !deadline.passed() => {
-                        self.runs.push(runs::run(scene, method, on, reference, deadline));
+                        self.runs.push(runs::run(case, method, on, reference, deadline));
                     }
                     _ => self.left_out.push(what.clone()),
                 }
@@ -91,24 +91,23 @@ impl Found {
         }
         if let Some(reference) = &reference {
             if deadline.passed() {
-                self.left_out.push(format!("{}: claims", scene.title()));
+                self.left_out.push(format!("{}: claims", case.title()));
             } else {
-                self.claims.add(scene, reference);
+                self.claims.add(case, reference);
             }
         }
-        watch.ran(&format!("{}: claims", scene.title()));
-        self.references.push((scene.clone(), reference));
+        watch.ran(&format!("{}: claims", case.title()));
+        self.references.push((case.clone(), reference));
     }
 
-    /// The runs of one scene.
-    fn of<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = &'a Run> {
-        let same =
-            |run: &&Run| run.scene == scene.name && run.percent == scene.percent && run.jump == (scene.ramp == 0);
+    /// The runs of one case.
+    fn of<'a>(&'a self, case: &'a Case) -> impl Iterator<Item = &'a Run> {
+        let same = |run: &&Run| run.case == case.name && run.percent == case.percent && run.jump == (case.ramp == 0);
         self.runs.iter().filter(same)
     }
 }
 
-/// A paragraph.
+/// A paragraph of the study's document.
 fn text(paragraph: impl Into<String>) -> Part {
     Part::Text(paragraph.into())
 }

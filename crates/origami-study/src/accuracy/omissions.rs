@@ -39,7 +39,7 @@ pub(super) fn run(quick: bool) -> Result<Table, Error> {
     };
     let dynamics = |model: &Model| time(model, &folded, &Dynamics { steps: Some(STEPS), ..Dynamics::default() });
 
-    // A group that is built without pulling costs what it would cost a scene that does not need it.
+    // A group that is built without pulling costs what it would cost a case that does not need it.
     let mut pair = |what: &str, solver: &str, with: f64, without: f64, error: Cell, why: &str| {
         let saved = 1.0 - without / with;
         table.push(vec![what.into(), solver.into(), with.into(), without.into(), saved.into(), error, why.into()]);

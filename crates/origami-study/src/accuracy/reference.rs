@@ -4,7 +4,7 @@ use origami_core::glam::DVec3;
 use origami_core::measure::align;
 use origami_core::{Model, Newton, Relax, Solver, State};
 
-use super::scenes::Scene;
+use super::cases::Case;
 
 /// Equilibria nearer to each other than this many radii are one.
 const SAME: f64 = 1e-5;
@@ -15,7 +15,7 @@ const ARRIVED: f64 = 0.02;
 /// Factorisations after which the equilibrium of a run's own branch is given up.
 const PATIENCE: u32 = 300;
 
-/// An equilibrium.
+/// An equilibrium of a case, against which runs are measured.
 #[derive(Clone, Debug)]
 pub(super) struct Equilibrium {
     pub(super) positions: Vec<DVec3>,
@@ -40,18 +40,18 @@ pub(super) fn error(positions: &[DVec3], equilibrium: &Equilibrium) -> Error {
 /// Where a run ended up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Branch {
-    /// At the reference.
+    /// The run ended at the reference.
     Same,
-    /// At another place of the same energy.
+    /// The run ended in another equilibrium of the same energy.
     SameEnergy,
     /// In another equilibrium, whose energy is so many times that of the reference.
     Other(f64),
-    /// Nowhere yet.
+    /// The run has not come to an equilibrium.
     Underway,
 }
 
 impl Branch {
-    pub(super) fn told(self) -> String {
+    pub(super) fn name(self) -> String {
         match self {
             Self::Same => "same".into(),
             Self::SameEnergy => "same energy, elsewhere".into(),
@@ -62,11 +62,11 @@ impl Branch {
     }
 }
 
-/// The equilibrium on the branch that the scene's own ramp leads to. `None` where Newton's method does not settle.
-pub(super) fn of(scene: &Scene) -> Option<Equilibrium> {
-    let relax = Relax { ramp: Some(scene.ramp), ..Relax::default() };
-    let near = relax.fold(&scene.model, &State::at_rest(&scene.model), scene.percent, &mut |_| {}).ok()?;
-    nearest(&scene.model, &near.state, Newton::default().max_factorisations)
+/// The equilibrium on the branch that the case's own ramp leads to. `None` where Newton's method does not settle.
+pub(super) fn of(case: &Case) -> Option<Equilibrium> {
+    let relax = Relax { ramp: Some(case.ramp), ..Relax::default() };
+    let near = relax.fold(&case.model, &State::at_rest(&case.model), case.percent, &mut |_| {}).ok()?;
+    nearest(&case.model, &near.state, Newton::default().max_factorisations)
 }
 
 /// The equilibrium downhill from `state`.

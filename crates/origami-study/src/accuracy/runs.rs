@@ -1,12 +1,12 @@
-//! Every solver on every scene.
+//! Every solver on every case.
 
 use origami_core::solve::{Integrator, Precision, TimeStep, time_step};
 use origami_core::{Dynamics, Material, Model, Relax};
 
+use super::cases::{Case, LARGE};
 use super::reference::{self, Branch, Equilibrium, Error};
-use super::scenes::{LARGE, Scene};
 use super::trail::{self, From, On, Trail};
-use crate::gpus::Gpus;
+use crate::gpu_choice::GpuChoice;
 use crate::options::Deadline;
 
 /// Steps after which the paper's scheme is left on its way.
@@ -23,7 +23,7 @@ pub(super) struct Method {
 
 #[derive(Clone, Debug)]
 pub(super) enum Kind {
-    /// With the damping ratio.
+    /// The paper's scheme, and the damping ratio that it runs with.
     Dynamics(Dynamics, f64),
     Relax(Relax),
     Newton(From),
@@ -32,17 +32,17 @@ pub(super) enum Kind {
 /// A run: what it was, what came of it.
 #[derive(Clone, Debug)]
 pub(super) struct Run {
-    pub(super) scene: String,
+    pub(super) case: String,
     pub(super) percent: f64,
     pub(super) jump: bool,
     pub(super) nodes: usize,
     pub(super) method: String,
     pub(super) backend: &'static str,
     pub(super) trail: Trail,
-    /// By look.
+    /// The error at each look of the trail.
     pub(super) errors: Vec<Error>,
     pub(super) branch: Branch,
-    /// Of the end, as a multiple of nothing: the energy itself.
+    /// The energy of the state in which the run ended.
     pub(super) energy: Option<f64>,
     /// The tolerance that it claims to have met, where it claims so.
     pub(super) claim: Option<f64>,
@@ -50,18 +50,18 @@ pub(super) struct Run {
 
 /// The paper's scheme as its program runs it: what all else is compared with.
 pub(super) const PAPER: &str = "paper";
-/// The default solver.
+/// The name of the default solver.
 pub(super) const RELAX: &str = "relax";
 
-/// What is run on a scene, that of the paper first.
-pub(super) fn methods(scene: &Scene, quick: bool) -> Vec<Method> {
+/// What is run on a case, that of the paper first.
+pub(super) fn methods(case: &Case, quick: bool) -> Vec<Method> {
     let zeta = Material::default().zeta;
     let dynamics =
         |name: &str, dynamics: Dynamics, zeta: f64| Method { name: name.into(), kind: Kind::Dynamics(dynamics, zeta) };
     let paper = Dynamics::default();
     let mut methods = vec![dynamics(PAPER, paper.clone(), zeta)];
-    if scene.in_full {
-        let own = time_step::paper(&scene.model);
+    if case.in_full {
+        let own = time_step::paper(&case.model);
         let fixed = |share: f64| Dynamics { time_step: TimeStep::Fixed(share * own), ..paper.clone() };
         if !quick {
             methods.push(dynamics("paper, half the step", fixed(0.5), zeta));
@@ -74,13 +74,13 @@ pub(super) fn methods(scene: &Scene, quick: bool) -> Vec<Method> {
         methods.push(dynamics("safe step", Dynamics { time_step: TimeStep::Safe, ..paper.clone() }, zeta));
     }
     methods.push(Method { name: RELAX.into(), kind: Kind::Relax(Relax::default()) });
-    if scene.in_full {
+    if case.in_full {
         let mixed = Relax { precision: Precision::Mixed, ..Relax::default() };
         methods.push(Method { name: "relax, mixed".into(), kind: Kind::Relax(mixed) });
     }
-    if scene.model.node_count() <= LARGE {
+    if case.model.node_count() <= LARGE {
         methods.push(Method { name: "newton after relax".into(), kind: Kind::Newton(From::Relax) });
-        if scene.in_full {
+        if case.in_full {
             methods.push(Method { name: "newton in a jump".into(), kind: Kind::Newton(From::Jump) });
         }
         if !quick {
@@ -91,38 +91,38 @@ pub(super) fn methods(scene: &Scene, quick: bool) -> Vec<Method> {
 }
 
 /// Runs one method and measures its way.
-pub(super) fn run(scene: &Scene, method: &Method, on: On<'_>, reference: &Equilibrium, deadline: Deadline) -> Run {
-    let limit = if scene.in_full { MOST_STEPS_IN_FULL } else { MOST_STEPS };
+pub(super) fn run(case: &Case, method: &Method, on: On<'_>, reference: &Equilibrium, deadline: Deadline) -> Run {
+    let limit = if case.in_full { MOST_STEPS_IN_FULL } else { MOST_STEPS };
     let mut claim = None;
     let trail = match &method.kind {
         Kind::Dynamics(dynamics, zeta) => {
-            let material = Material { zeta: *zeta, ..scene.model.material };
-            let model = Model { material, ..scene.model.clone() };
+            let material = Material { zeta: *zeta, ..case.model.material };
+            let model = Model { material, ..case.model.clone() };
             let arrived = |look: &trail::Look| reference::error(&look.positions, reference).max < 1e-7;
-            trail::of_dynamics(scene, &model, dynamics, on, limit, arrived, deadline)
+            trail::of_dynamics(case, &model, dynamics, on, limit, arrived, deadline)
         }
         Kind::Relax(relax) => {
-            let trail = trail::of_relax(scene, relax, on, deadline);
+            let trail = trail::of_relax(case, relax, on, deadline);
             claim = trail.last.as_ref().filter(|last| last.converged()).map(|_| relax.tolerance);
             trail
         }
-        Kind::Newton(from) => trail::of_newton(scene, *from, deadline),
+        Kind::Newton(from) => trail::of_newton(case, *from, deadline),
     };
     let state = trail.last.as_ref().map(|last| &last.state);
-    let (branch, own) = state.map_or((Branch::Underway, None), |s| reference::branch(&scene.model, s, reference));
+    let (branch, own) = state.map_or((Branch::Underway, None), |s| reference::branch(&case.model, s, reference));
     let against = own.as_ref().unwrap_or(reference);
     Run {
-        scene: scene.name.clone(),
-        percent: scene.percent,
-        jump: scene.ramp == 0,
-        nodes: scene.model.node_count(),
+        case: case.name.clone(),
+        percent: case.percent,
+        jump: case.ramp == 0,
+        nodes: case.model.node_count(),
         method: method.name.clone(),
         backend: match on {
             On::Cpu => "cpu",
             On::Gpu(_) => "gpu",
         },
         errors: trail.looks.iter().map(|look| reference::error(&look.positions, against)).collect(),
-        energy: state.map(|state| state.energy(&scene.model).total()),
+        energy: state.map(|state| state.energy(&case.model).total()),
         branch,
         claim,
         trail,
@@ -130,8 +130,8 @@ pub(super) fn run(scene: &Scene, method: &Method, on: On<'_>, reference: &Equili
 }
 
 /// Whether a method is run on a GPU beside the processor: the two that are compared with each other.
-pub(super) fn is_for_gpu(method: &Method, gpus: &Gpus) -> bool {
-    gpus.is_there() && [PAPER, RELAX].contains(&method.name.as_str())
+pub(super) fn is_for_gpu(method: &Method, gpu: &GpuChoice) -> bool {
+    gpu.is_there() && [PAPER, RELAX].contains(&method.name.as_str())
 }
 
 impl Run {
@@ -142,7 +142,7 @@ impl Run {
         Some((look.evaluations, look.seconds))
     }
 
-    /// The last error.
+    /// The error of the state in which the run ended.
     pub(super) fn error(&self) -> Option<Error> {
         self.errors.last().copied()
     }

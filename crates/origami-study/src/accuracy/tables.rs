@@ -1,19 +1,19 @@
 //! The runs as tables and plots.
 
 use super::Found;
+use super::cases::Case;
 use super::runs::{PAPER, RELAX, Run};
-use super::scenes::Scene;
 use crate::plot::{Axis, Mark, Plot, Scale, Series};
 use crate::table::{Cell, Column, Table};
 
-/// Errors whose first arrival is told, in radii.
+/// Errors whose first arrival a table gives, in radii.
 const LEVELS: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 /// The one that `converged` claims by default.
 pub(super) const ASKED: f64 = 1e-4;
 /// Budgets of time, in seconds.
 const BUDGETS: [f64; 5] = [1e-3, 1e-2, 1e-1, 1.0, 10.0];
 
-const SCENE: Column = Column { key: "scene", head: "scene", meaning: "what is folded" };
+const CASE: Column = Column { key: "scene", head: "scene", meaning: "what is folded" };
 const PERCENT: Column = Column { key: "percent", head: "%", meaning: "percentage of the pattern's fold angles" };
 const START: Column =
     Column { key: "start", head: "start", meaning: "a jump of the target angles, or the default ramp" };
@@ -22,7 +22,7 @@ const SOLVER: Column =
 const BACKEND: Column = Column { key: "backend", head: "on", meaning: "cpu (64 bits) or gpu (32 bits)" };
 
 const WAYS: &[Column] = &[
-    SCENE,
+    CASE,
     PERCENT,
     START,
     SOLVER,
@@ -54,7 +54,7 @@ pub(super) fn ways(found: &Found) -> Table {
 }
 
 const RUNS: &[Column] = &[
-    SCENE,
+    CASE,
     PERCENT,
     START,
     SOLVER,
@@ -96,7 +96,7 @@ pub(super) fn runs<'a>(runs: impl Iterator<Item = &'a Run>) -> Table {
             last.map(|look| look.seconds).into(),
             run.error().map(|error| error.max).into(),
             run.error().map(|error| error.rms).into(),
-            run.branch.told().into(),
+            run.branch.name().into(),
             run.energy.into(),
             run.keeps_claim().into(),
             run.trail.failed.clone().into(),
@@ -107,7 +107,7 @@ pub(super) fn runs<'a>(runs: impl Iterator<Item = &'a Run>) -> Table {
 }
 
 const RATIOS: &[Column] = &[
-    SCENE,
+    CASE,
     PERCENT,
     START,
     BACKEND,
@@ -121,7 +121,7 @@ const RATIOS: &[Column] = &[
 /// How much sooner `relax` is there than the paper's scheme.
 pub(super) struct Ratios {
     pub(super) table: Table,
-    /// Of jumps, with their scene and backend.
+    /// Of jumps, with their case and backend.
     pub(super) jumps: Vec<(String, f64)>,
     /// Of all others, sorted.
     pub(super) risen: Vec<f64>,
@@ -141,21 +141,21 @@ pub(super) fn ratios(found: &Found) -> Ratios {
         by_size: Vec::new(),
         newton: 0.0,
     };
-    for (scene, reference) in &found.references {
+    for (case, reference) in &found.references {
         for backend in ["cpu", "gpu"] {
-            let of = |method: &str| found.of(scene).find(|run| run.method == method && run.backend == backend);
+            let of = |method: &str| found.of(case).find(|run| run.method == method && run.backend == backend);
             let (Some(paper), Some(relax)) = (of(PAPER), of(RELAX)) else { continue };
             let [slow, fast] = [paper, relax].map(|run| run.arrival(ASKED).map(|(_, seconds)| seconds));
             let Some(fast) = fast else { continue };
             let ratio = slow.map_or(0.0, |slow| fast / slow);
-            let name = format!("{} at {} % ({backend})", scene.name, scene.percent);
+            let name = format!("{} at {} % ({backend})", case.name, case.percent);
             if slow.is_none() {
                 ratios.never.push(name.clone());
             }
             if backend == "cpu" {
-                ratios.by_size.push((scene.model.node_count() as f64, ratio));
+                ratios.by_size.push((case.model.node_count() as f64, ratio));
             }
-            if scene.ramp == 0 {
+            if case.ramp == 0 {
                 ratios.jumps.push((name, ratio));
             } else {
                 ratios.risen.push(ratio);
@@ -163,9 +163,9 @@ pub(super) fn ratios(found: &Found) -> Ratios {
             let residual = reference.as_ref().map(|reference| reference.residual);
             ratios.newton = ratios.newton.max(residual.unwrap_or(0.0));
             ratios.table.push(vec![
-                scene.name.as_str().into(),
-                scene.percent.into(),
-                start(scene.ramp == 0).into(),
+                case.name.as_str().into(),
+                case.percent.into(),
+                start(case.ramp == 0).into(),
                 backend.into(),
                 slow.into(),
                 fast.into(),
@@ -180,7 +180,7 @@ pub(super) fn ratios(found: &Found) -> Ratios {
 }
 
 const REFERENCES: &[Column] = &[
-    SCENE,
+    CASE,
     PERCENT,
     START,
     Column { key: "nodes", head: "nodes", meaning: "vertices of the sheet" },
@@ -192,13 +192,13 @@ const REFERENCES: &[Column] = &[
 /// What errors are measured against.
 pub(super) fn references(found: &Found) -> Table {
     let mut table = Table::new(REFERENCES);
-    for (scene, reference) in &found.references {
+    for (case, reference) in &found.references {
         let reference = reference.as_ref();
         table.push(vec![
-            scene.name.as_str().into(),
-            scene.percent.into(),
-            start(scene.ramp == 0).into(),
-            scene.model.node_count().into(),
+            case.name.as_str().into(),
+            case.percent.into(),
+            start(case.ramp == 0).into(),
+            case.model.node_count().into(),
             reference.map(|reference| reference.energy).into(),
             reference.map(|reference| reference.residual).into(),
             reference.map(|reference| reference.neutral).into(),
@@ -208,7 +208,7 @@ pub(super) fn references(found: &Found) -> Table {
 }
 
 const BUDGET: &[Column] = &[
-    SCENE,
+    CASE,
     SOLVER,
     BACKEND,
     Column { key: "1ms", head: "1 ms", meaning: "largest error of a vertex after 1 ms of solving, in radii" },
@@ -222,7 +222,7 @@ const BUDGET: &[Column] = &[
 pub(super) fn budgets(found: &Found) -> Table {
     let mut table = Table::new(BUDGET);
     for run in found.runs.iter().filter(|run| run.jump) {
-        let mut row: Vec<Cell> = vec![run.scene.as_str().into(), run.method.as_str().into(), run.backend.into()];
+        let mut row: Vec<Cell> = vec![run.case.as_str().into(), run.method.as_str().into(), run.backend.into()];
         row.extend(BUDGETS.map(|budget| {
             let looks = run.trail.looks.iter().zip(&run.errors);
             looks.take_while(|(look, _)| look.seconds <= budget).last().map(|(_, error)| error.max).into()
@@ -232,9 +232,9 @@ pub(super) fn budgets(found: &Found) -> Table {
     table
 }
 
-/// Error of a scene's runs against what `cost` says of a look.
-pub(super) fn plot(found: &Found, scene: &Scene, against: Against, note: &str) -> Plot {
-    let series = found.of(scene).map(|run| {
+/// Error of a case's runs against what `cost` says of a look.
+pub(super) fn plot(found: &Found, case: &Case, against: Against, note: &str) -> Plot {
+    let series = found.of(case).map(|run| {
         let points = run.trail.looks.iter().zip(&run.errors).map(|(look, error)| match against {
             Against::Seconds => (look.seconds, error.max),
             Against::Evaluations => (look.evaluations as f64, error.max),
@@ -247,7 +247,7 @@ pub(super) fn plot(found: &Found, scene: &Scene, against: Against, note: &str) -
         }
     });
     Plot {
-        title: scene.title(),
+        title: case.title(),
         note: note.into(),
         x: Axis {
             label: match against {
@@ -282,7 +282,7 @@ pub(super) fn ratio_plot(ratios: &Ratios, note: &str) -> Plot {
 
 fn named(run: &Run) -> Vec<Cell> {
     vec![
-        run.scene.as_str().into(),
+        run.case.as_str().into(),
         run.percent.into(),
         start(run.jump).into(),
         run.method.as_str().into(),

@@ -8,7 +8,7 @@ use super::{Found, heading, text};
 use crate::table::Table;
 use crate::{Options, Part};
 
-/// Scenes with the default ramp whose ways are plotted: a rigid fold, one that is strained, and one with many ways to go.
+/// Cases with the default ramp whose ways are plotted: a rigid fold, one that is strained, and one with many ways to go.
 const PLOTTED: [(&str, f64); 3] = [("miura", 100.0), ("waterbomb", 60.0), ("crane", 100.0)];
 
 pub(super) fn introduction(found: &Found, options: &Options) -> Vec<Part> {
@@ -38,16 +38,16 @@ pub(super) fn runs(found: &Found, options: &Options) -> Vec<Part> {
         None => "processor".into(),
     };
     let mut parts = vec![heading("Solvers side by side")];
-    let jumps = found.references.iter().filter(|(scene, _)| scene.in_full);
-    for (scene, _) in jumps {
-        parts.push(text(format!("**{}** ({} vertices).", scene.title(), scene.model.node_count())));
-        let name = file_name(&format!("{}-{}", scene.name, scene.percent));
+    let jumps = found.references.iter().filter(|(case, _)| case.in_full);
+    for (case, _) in jumps {
+        parts.push(text(format!("**{}** ({} vertices).", case.title(), case.model.node_count())));
+        let name = file_name(&format!("{}-{}", case.name, case.percent));
         for (against, what) in [(Against::Seconds, "seconds"), (Against::Evaluations, "evaluations")] {
-            parts.push(plot(&format!("error-{what}-{name}"), tables::plot(found, scene, against, note)));
+            parts.push(plot(&format!("error-{what}-{name}"), tables::plot(found, case, against, note)));
         }
         parts.push(table(
             &format!("runs-{name}"),
-            tables::runs(found.of(scene)),
+            tables::runs(found.of(case)),
             &[
                 "solver",
                 "backend",
@@ -100,12 +100,12 @@ fn risen(found: &Found, note: &str) -> Vec<Part> {
     parts.push(plot("ratio", tables::ratio_plot(&ratios, note)));
     let all = ["scene", "percent", "start", "backend", "paper", "relax", "ratio", "paper_ends", "newton"];
     parts.push(table("ratios", ratios.table, &all));
-    for (scene, _) in &found.references {
+    for (case, _) in &found.references {
         let own =
-            scene.ramp > 0 && (PLOTTED.contains(&(scene.name.as_str(), scene.percent)) || found.references.len() < 8);
+            case.ramp > 0 && (PLOTTED.contains(&(case.name.as_str(), case.percent)) || found.references.len() < 8);
         if own {
-            let name = file_name(&format!("{}-{}", scene.name, scene.percent));
-            parts.push(plot(&format!("error-seconds-{name}-ramp"), tables::plot(found, scene, Against::Seconds, note)));
+            let name = file_name(&format!("{}-{}", case.name, case.percent));
+            parts.push(plot(&format!("error-seconds-{name}-ramp"), tables::plot(found, case, Against::Seconds, note)));
         }
     }
     let risen = tables::runs(found.runs.iter().filter(|run| !run.jump));

@@ -6,8 +6,8 @@ use origami_core::glam::DVec3;
 use origami_core::solve::{Failed, Stop};
 use origami_core::{Dynamics, Folded, Model, Newton, Relax, Solver, State};
 
-use super::scenes::Scene;
-use crate::gpus::{Gpus, OnEither};
+use super::cases::Case;
+use crate::gpu_choice::{GpuChoice, OnEither};
 use crate::options::Deadline;
 
 /// Evaluations at the first look, and how much later each next one is: closer where curves are compared in full.
@@ -16,7 +16,7 @@ const NEXT_LOOK: f64 = 1.15;
 const NEXT_LOOK_IN_FULL: f64 = 1.05;
 /// Runs shorter than this many seconds are timed three times, and the least counts.
 const SHORT: f64 = 0.05;
-/// Seconds after which one solver is left on one scene.
+/// Seconds after which one solver is left on one case.
 const PATIENCE: f64 = 60.0;
 
 /// A state on the way.
@@ -30,13 +30,13 @@ pub(super) struct Look {
     pub(super) positions: Vec<DVec3>,
 }
 
-/// The whole way.
+/// The way of a run, from its first look to its end.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Trail {
     pub(super) looks: Vec<Look>,
     /// Where it ended; `None` where it diverged before the first look.
     pub(super) last: Option<Folded>,
-    /// Why it ended early.
+    /// Why the run ended early.
     pub(super) failed: Option<String>,
 }
 
@@ -44,12 +44,12 @@ pub(super) struct Trail {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum On<'a> {
     Cpu,
-    Gpu(&'a Gpus),
+    Gpu(&'a GpuChoice),
 }
 
 /// The motion of `dynamics`, looked at as it goes on: its state is all that it needs to continue.
 pub(super) fn of_dynamics(
-    scene: &Scene,
+    case: &Case,
     model: &Model,
     dynamics: &Dynamics,
     on: On<'_>,
@@ -60,10 +60,10 @@ pub(super) fn of_dynamics(
     let mut trail = Trail::default();
     let part = |steps: u64, ramp: u32| Dynamics { steps: Some(steps), ramp, ..dynamics.clone() };
     let (mut state, mut evaluations, mut seconds) = (State::at_rest(model), 0, 0.0);
-    let mut next = if scene.ramp == 0 { FIRST_LOOK } else { u64::from(scene.ramp) };
+    let mut next = if case.ramp == 0 { FIRST_LOOK } else { u64::from(case.ramp) };
     while evaluations < limit && seconds < PATIENCE && !deadline.passed() {
-        let ramp = if evaluations == 0 { scene.ramp } else { 0 };
-        match timed(OnEither::Dynamics(part(next, ramp)), model, &state, scene.percent, on) {
+        let ramp = if evaluations == 0 { case.ramp } else { 0 };
+        match timed(OnEither::Dynamics(part(next, ramp)), model, &state, case.percent, on) {
             Ok((folded, spent)) => {
                 seconds += spent;
                 evaluations += folded.steps;
@@ -80,17 +80,17 @@ pub(super) fn of_dynamics(
             }
         }
         // Whole renewals of the safe step, so that parts make the same steps as one run.
-        next = further(scene, evaluations, 20);
+        next = further(case, evaluations, 20);
     }
     trail
 }
 
 /// The way of `relax`: one run for each look, of so many evaluations, and at the end the run that claims to have converged.
-pub(super) fn of_relax(scene: &Scene, relax: &Relax, on: On<'_>, deadline: Deadline) -> Trail {
+pub(super) fn of_relax(case: &Case, relax: &Relax, on: On<'_>, deadline: Deadline) -> Trail {
     let mut trail = Trail::default();
-    let relax = Relax { ramp: Some(scene.ramp), ..relax.clone() };
-    let start = State::at_rest(&scene.model);
-    let run = |relax: Relax| timed(OnEither::Relax(relax), &scene.model, &start, scene.percent, on);
+    let relax = Relax { ramp: Some(case.ramp), ..relax.clone() };
+    let start = State::at_rest(&case.model);
+    let run = |relax: Relax| timed(OnEither::Relax(relax), &case.model, &start, case.percent, on);
     let (claim, in_all) = match run(relax.clone()) {
         Ok(claim) => claim,
         Err(failed) => {
@@ -106,7 +106,7 @@ pub(super) fn of_relax(scene: &Scene, relax: &Relax, on: On<'_>, deadline: Deadl
             spent += seconds;
             trail.looks.push(look(&folded, evaluations, seconds));
         }
-        evaluations += further(scene, evaluations, 5);
+        evaluations += further(case, evaluations, 5);
     }
     trail.looks.push(look(&claim, claim.steps, in_all));
     bound_by_later(&mut trail.looks);
@@ -117,7 +117,7 @@ pub(super) fn of_relax(scene: &Scene, relax: &Relax, on: On<'_>, deadline: Deadl
 /// Where Newton's method begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum From {
-    /// Where `relax` ends.
+    /// From the state in which `relax` ends.
     Relax,
     /// At rest, the target angles rising in increments.
     Rest,
@@ -126,7 +126,7 @@ pub(super) enum From {
 }
 
 /// The way of Newton's method: one run for each residual.
-pub(super) fn of_newton(scene: &Scene, from: From, deadline: Deadline) -> Trail {
+pub(super) fn of_newton(case: &Case, from: From, deadline: Deadline) -> Trail {
     let mut trail = Trail::default();
     for residual in [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10] {
         if deadline.passed() {
@@ -136,21 +136,21 @@ pub(super) fn of_newton(scene: &Scene, from: From, deadline: Deadline) -> Trail 
         let began = Instant::now();
         let reached = match from {
             From::Relax => {
-                let relax = Relax { ramp: Some(scene.ramp), ..Relax::default() };
-                let near = relax.fold(&scene.model, &State::at_rest(&scene.model), scene.percent, &mut |_| {});
-                near.and_then(|near| newton.refine(&scene.model, &near.state).map(|reached| (reached, near.steps)))
+                let relax = Relax { ramp: Some(case.ramp), ..Relax::default() };
+                let near = relax.fold(&case.model, &State::at_rest(&case.model), case.percent, &mut |_| {});
+                near.and_then(|near| newton.refine(&case.model, &near.state).map(|reached| (reached, near.steps)))
             }
-            From::Rest => newton.climb(&scene.model, &State::at_rest(&scene.model), scene.percent).map(|r| (r, 0)),
+            From::Rest => newton.climb(&case.model, &State::at_rest(&case.model), case.percent).map(|r| (r, 0)),
             From::Jump => {
-                let off = State::perturbed(&scene.model, newton.perturbation, 0);
-                let jump = State { targets: scene.model.targets(scene.percent), ..off };
-                newton.refine(&scene.model, &jump).map(|reached| (reached, 0))
+                let off = State::perturbed(&case.model, newton.perturbation, 0);
+                let jump = State { targets: case.model.targets(case.percent), ..off };
+                newton.refine(&case.model, &jump).map(|reached| (reached, 0))
             }
         };
         match reached {
             Ok((reached, before)) => {
                 let folded = Folded {
-                    percent: scene.percent,
+                    percent: case.percent,
                     stop: if reached.converged { Stop::Converged } else { Stop::StepLimit },
                     steps: before + reached.evaluations,
                     time_step: 1.0,
@@ -175,7 +175,7 @@ pub(super) fn of_newton(scene: &Scene, from: From, deadline: Deadline) -> Trail 
 fn timed(method: OnEither, model: &Model, start: &State, percent: f64, on: On<'_>) -> Result<(Folded, f64), Failed> {
     let solver = match on {
         On::Cpu => method.on_cpu(),
-        On::Gpu(gpus) => gpus.with(method),
+        On::Gpu(gpu) => gpu.with(method),
     };
     let mut session = solver.session(model);
     let mut run = || -> Result<(Folded, f64), Failed> {
@@ -203,8 +203,8 @@ fn bound_by_later(looks: &mut [Look]) {
 }
 
 /// How many evaluations lie between a look and the next: a multiple of `unit`, and at least that.
-fn further(scene: &Scene, evaluations: u64, unit: u64) -> u64 {
-    let next = if scene.in_full { NEXT_LOOK_IN_FULL } else { NEXT_LOOK };
+fn further(case: &Case, evaluations: u64, unit: u64) -> u64 {
+    let next = if case.in_full { NEXT_LOOK_IN_FULL } else { NEXT_LOOK };
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a step count")]
     let share = (evaluations as f64 * (next - 1.0)) as u64;
     (share / unit).max(1) * unit

@@ -35,11 +35,11 @@ pub(super) fn run(quick: bool) -> Result<Transient, Error> {
     let mut series = Vec::new();
     let mut orders = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     let crease = SingleCrease { angle: 1.0, ..SingleCrease::default() }.pattern()?;
-    let mut scenes = vec![("single crease", crease)];
+    let mut cases = vec![("single crease", crease)];
     if !quick {
-        scenes.push(("miura 5x5", generate::miura(4, 4)?));
+        cases.push(("miura 5x5", generate::miura(4, 4)?));
     }
-    for (name, pattern) in &scenes {
+    for (name, pattern) in &cases {
         for zeta in [0.0, 0.45] {
             let model = Model::new(pattern, &Material { zeta, ..Material::default() })?;
             let paper = time_step::paper(&model);
@@ -47,7 +47,7 @@ pub(super) fn run(quick: bool) -> Result<Transient, Error> {
             let coarsest = (TIME / paper).ceil() as u64;
             let finest = coarsest << 5;
             let Some(exact) = after(&model, Integrator::Verlet, FINER * finest) else { continue };
-            for (place, integrator) in [Integrator::Euler, Integrator::Verlet].into_iter().enumerate() {
+            for (index, integrator) in [Integrator::Euler, Integrator::Verlet].into_iter().enumerate() {
                 let label = if integrator == Integrator::Euler { "euler" } else { "verlet" };
                 let mut points = Vec::new();
                 let mut before: Option<f64> = None;
@@ -68,7 +68,7 @@ pub(super) fn run(quick: bool) -> Result<Transient, Error> {
                     points.extend(error.map(|error| (step, error)));
                     before = error;
                     if let (5, Some(order)) = (halvings, order) {
-                        orders[place] = [orders[place][0].min(order), orders[place][1].max(order)];
+                        orders[index] = [orders[index][0].min(order), orders[index][1].max(order)];
                     }
                 }
                 let mark = if zeta == 0.0 { Mark::Dashed } else { Mark::Line };

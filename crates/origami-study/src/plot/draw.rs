@@ -7,15 +7,15 @@ use super::marks::{Area, Drawn, Look};
 use super::ruler::Ruler;
 use super::{Plot, Series};
 
-/// Of the picture.
+/// Width of the picture, in pixels.
 const WIDTH: u32 = 800;
-/// Of the axes with their labels.
+/// Height of the axes with their labels, in pixels.
 const AXES: u32 = 470;
-/// Round everything.
+/// Pixels left free on all sides.
 const MARGIN: i32 = 16;
 /// The library's sizes are 1.24 times those that SVG files have.
 const EM: f64 = 1.24;
-/// Sizes of text.
+/// Heights of text, in pixels: of titles.
 const TITLE: f64 = 18.0;
 const NOTE: f64 = 12.0;
 const LABEL: f64 = 13.0;
@@ -23,7 +23,7 @@ const LABEL: f64 = 13.0;
 const LINE: f64 = 1.5;
 /// Mean width of a letter of a sans-serif font, in its sizes; on the safe side.
 const LETTER: f64 = 0.56;
-/// Bold ones are wider.
+/// The same for bold letters, which are wider.
 const BOLD_LETTER: f64 = 0.62;
 /// Width of a sample in the legend, and of the gap to its text and to the next.
 const SAMPLE: i32 = 30;
@@ -106,7 +106,7 @@ fn draw_axes<DB: DrawingBackend>(plot: &Plot, area: &Area<DB>, top: i32) -> Draw
 struct Legend {
     entries: Vec<(Look, String)>,
     columns: usize,
-    /// Of a column.
+    /// Width of a column of the legend, in pixels.
     width: i32,
 }
 

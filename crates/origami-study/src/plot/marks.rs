@@ -16,7 +16,7 @@ const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 0, 0),
 ];
 
-/// Of lines.
+/// Width of lines, in pixels.
 const STROKE: u32 = 2;
 /// Pixels of a dash and of the gap behind it.
 const DASH: (i32, i32) = (7, 5);

@@ -8,10 +8,10 @@ use origami_core::solve::{Integrator, TimeStep, time_step};
 use origami_core::{Dynamics, Material, Model, Newton, Relax, Solver, State};
 use rayon::prelude::*;
 
-use super::motion::{self, Held};
+use super::motion::{self, Outcome};
 use crate::options::Deadline;
 
-/// Samples of a run.
+/// How often the drift of a run is sampled.
 const SAMPLES: u64 = 100;
 /// Those whose mean is taken at the beginning and at the end.
 const ENDS: usize = 10;
@@ -24,7 +24,7 @@ const SPIN: DVec3 = DVec3::new(0.01, 0.02, 0.03);
 enum Start {
     /// Undamped: the target jumps, and the sheet spins.
     Spinning,
-    /// Damped: at rest.
+    /// A damped sheet, which comes to rest.
     AtRest,
     /// Damped: in the equilibrium at 60 %.
     Folded,
@@ -39,7 +39,7 @@ const CASES: [(&str, Start, Integrator, Step); 6] = [
     ("damped, Euler, folded equilibrium", Start::Folded, Integrator::Euler, Step::Safe),
 ];
 
-/// Which step.
+/// Which time step a run takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Step {
     Paper,
@@ -48,17 +48,17 @@ enum Step {
     Safe,
 }
 
-/// A run, done.
+/// A run with what came of it.
 #[derive(Clone, Debug)]
 pub(super) struct Drift {
-    /// What was run.
+    /// What was run, for tables.
     pub(super) name: &'static str,
     /// Whether the step was renewed on the way.
     pub(super) renewed: bool,
-    /// Steps.
+    /// How many steps the run has.
     pub(super) steps: u64,
-    /// How it ended.
-    pub(super) held: Held,
+    /// How the run ended.
+    pub(super) outcome: Outcome,
     /// Of an undamped run: steps, and the energy that these steps keep, in shares of the energy at the start.
     pub(super) energies: Vec<(u64, f64)>,
     /// Largest distance of the centroid from where it was, in radii.
@@ -112,7 +112,7 @@ fn run((name, start, integrator, step): (&'static str, Start, Integrator, Step),
         name,
         renewed: step == Step::Safe,
         steps: each * SAMPLES,
-        held: Held::Holds,
+        outcome: Outcome::Holds,
         energies: Vec::new(),
         centroid: 0.0,
         momentum: 0.0,
@@ -127,7 +127,7 @@ fn run((name, start, integrator, step): (&'static str, Start, Integrator, Step),
                 folded.state
             }
             Err(failed) => {
-                drift.held = Held::of_failed(&model, &failed);
+                drift.outcome = Outcome::of_failed(&model, &failed);
                 return Some(drift);
             }
         };
@@ -185,7 +185,7 @@ mod tests {
         let (drifts, left_out) = all(5000, Deadline::after(None));
         assert!(drifts.len() == CASES.len() && !left_out);
         for drift in &drifts {
-            assert_eq!(drift.held, Held::Holds, "{}", drift.name);
+            assert_eq!(drift.outcome, Outcome::Holds, "{}", drift.name);
             assert!(drift.centroid < 1e-10 && drift.momentum < 1e-10, "{}: {drift:?}", drift.name);
             assert!(drift.angular_momentum.unwrap_or(0.0) < 1e-9, "{}: {drift:?}", drift.name);
             assert!(drift.moved.unwrap_or(0.0) < 1e-9, "{}: {drift:?}", drift.name);

@@ -175,7 +175,7 @@ mod tests {
     use origami_core::solve::time_step;
     use origami_core::{CreasePattern, Material};
 
-    use super::super::scenes::patterns::{hinge, triangle};
+    use super::super::cases::patterns::{hinge, triangle};
     use super::*;
 
     const EFFORT: Effort = Effort { half: 400, precision: 0.005 };

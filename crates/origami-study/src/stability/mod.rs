@@ -1,34 +1,36 @@
-//! What holds on stiff and extreme scenes.
+//! What holds on stiff and extreme cases.
 //!
-//! Families of scenes along one parameter each. Of every scene is asked whether the paper's step and the safe step hold,
+//! Families of cases along one parameter each. Of every case is asked whether the paper's step and the safe step hold,
 //! what the largest step that holds is against the bound, whether a relaxation converges and whether its claim is true,
 //! and, where there is a GPU, the same in 32 bits. No time is measured, so rows run side by side.
 
+mod cases;
 mod drift;
-mod in_32_bits;
+mod found;
+mod gpu_run;
 mod limit;
 mod motion;
 mod report;
 mod row;
 mod run;
-mod scenes;
 
+use self::found::Budget;
 use self::report::Ran;
-use self::row::{Answer, Budget, Row};
+use self::row::{CaseResult, Row};
 use crate::options::Deadline;
 use crate::{Options, Study, StudyError, Watch};
 
 /// Steps of the runs that ask for drift.
 const MILLION: u64 = 1_000_000;
-/// In the quick study.
+/// The same in the quick study.
 const SOME: u64 = 20_000;
 
 /// Runs the study; of [`Options::patterns`] it takes none.
 ///
-/// A scene that makes no model, or panics, is a row that says so. Rows that there is no time for are named.
+/// A case that makes no model, or panics, is a row that says so. Rows that there is no time for are named.
 ///
 /// # Errors
-/// None as yet.
+/// It has none: what fails is a row. The signature is that of the other study.
 pub fn study(options: &Options, watch: &mut dyn Watch) -> Result<Study, StudyError> {
     let deadline = Deadline::after(options.time_limit);
     let rows = rows(options, deadline, watch);
@@ -40,24 +42,24 @@ pub fn study(options: &Options, watch: &mut dyn Watch) -> Result<Study, StudyErr
 
 fn rows(options: &Options, deadline: Deadline, watch: &mut dyn Watch) -> Vec<Row> {
     let budget = Budget::new(options.quick);
-    let mut scenes = scenes::all();
-    scenes.retain(|scene| scene.quick || !options.quick);
-    let on_gpu = if options.gpu.is_there() { scenes.len() } else { 0 };
-    watch.begins(scenes.len() + on_gpu + 1);
-    let answers = run::all(&scenes, budget, deadline, watch);
-    let mut row = |(scene, answer)| {
+    let mut cases = cases::all();
+    cases.retain(|case| case.quick || !options.quick);
+    let on_gpu = if options.gpu.is_there() { cases.len() } else { 0 };
+    watch.begins(cases.len() + on_gpu + 1);
+    let results = run::all(&cases, budget, deadline, watch);
+    let mut row = |(case, result)| {
         let mut gpu = None;
         if on_gpu > 0 {
-            if let Answer::Found(found) = &answer
+            if let CaseResult::Found(found) = &result
                 && !deadline.passed()
             {
-                gpu = in_32_bits::run(&scene, found, budget, &options.gpu);
+                gpu = gpu_run::run(&case, found, budget, &options.gpu);
             }
-            watch.ran(&format!("{} in 32 bits", scene.name()));
+            watch.ran(&format!("{} in 32 bits", case.name()));
         }
-        Row { scene, answer, gpu }
+        Row { case, result, gpu }
     };
-    scenes.into_iter().zip(answers).map(&mut row).collect()
+    cases.into_iter().zip(results).map(&mut row).collect()
 }
 
 #[cfg(test)]
@@ -68,8 +70,8 @@ mod tests {
     fn every_row_of_the_quick_study_is_answered() {
         let rows = rows(&Options { quick: true, ..Options::default() }, Deadline::after(None), &mut ());
         for row in &rows {
-            let name = row.scene.name();
-            let Some(found) = row.found() else { panic!("{name}: {:?}", row.answer) };
+            let name = row.case.name();
+            let Some(found) = row.found() else { panic!("{name}: {:?}", row.result) };
             assert!(found.safe.holds() && found.safe_verlet.holds(), "{name}: {}, {}", found.safe, found.safe_verlet);
             for (what, ratio) in report::summary::ratios(found) {
                 assert!(ratio <= 1.0, "{name}, {what}: the bound is {ratio} of what holds");

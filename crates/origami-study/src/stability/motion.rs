@@ -21,17 +21,17 @@ pub(super) const ROUNDING: f64 = 1e-12;
 
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Held {
-    /// It held.
+pub(super) enum Outcome {
+    /// The run held to its end.
     Holds,
     /// Its energy grew, in this piece of the run (1 to 10) of the percentage.
     Grows {
-        /// The piece.
+        /// Which tenth of the run, from 1.
         piece: u64,
     },
     /// It left all bounds, and said where.
     Diverged {
-        /// At this step.
+        /// The step in which it did.
         step: u64,
         /// The vertex that it named.
         vertex: u32,
@@ -40,7 +40,7 @@ pub(super) enum Held {
     Wrong(String),
 }
 
-impl Held {
+impl Outcome {
     pub(super) fn holds(&self) -> bool {
         *self == Self::Holds
     }
@@ -65,7 +65,7 @@ impl Held {
     }
 }
 
-impl fmt::Display for Held {
+impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Holds => f.write_str("holds"),
@@ -114,11 +114,11 @@ pub(super) fn piece(solver: Dynamics, steps: u64) -> Dynamics {
 
 /// A motion to be run: on whatever backend, [`PIECES`] for each percentage.
 pub(super) struct Motion<'a> {
-    /// For one piece.
+    /// Runs one piece.
     pub(super) solver: &'a dyn Solver,
-    /// The solver's.
+    /// The scheme with which the solver integrates.
     pub(super) integrator: Integrator,
-    /// Steps of a piece.
+    /// How many steps a piece has.
     pub(super) each: u64,
     /// Energies below it say nothing.
     pub(super) rounding: f64,
@@ -126,7 +126,7 @@ pub(super) struct Motion<'a> {
 
 impl Motion<'_> {
     /// Runs `model` from rest along `path`; where it held, with the state at the end.
-    pub(super) fn run(&self, model: &Model, path: &[f64]) -> (Held, Option<State>) {
+    pub(super) fn run(&self, model: &Model, path: &[f64]) -> (Outcome, Option<State>) {
         let damped = model.material.zeta > 0.0;
         let mut session = self.solver.session(model);
         let mut done = 0;
@@ -138,8 +138,8 @@ impl Motion<'_> {
             for piece in 1..=PIECES {
                 let folded = match session.fold(&state, *percent, &mut |_| {}) {
                     Ok(folded) if is_finite(&folded.state) => folded,
-                    Ok(_) => return (Held::Wrong("not finite".into()), None),
-                    Err(failed) => return (Held::of_failed(model, &failed).after(done), None),
+                    Ok(_) => return (Outcome::Wrong("not finite".into()), None),
+                    Err(failed) => return (Outcome::of_failed(model, &failed).after(done), None),
                 };
                 state = folded.state;
                 done += self.each;
@@ -151,12 +151,12 @@ impl Motion<'_> {
                     (true, _) => before + FORGIVEN * at_first,
                 };
                 if now > allowed + self.rounding {
-                    return (Held::Grows { piece }, None);
+                    return (Outcome::Grows { piece }, None);
                 }
                 before = now;
             }
         }
-        (Held::Holds, Some(state))
+        (Outcome::Holds, Some(state))
     }
 }
 
@@ -166,10 +166,10 @@ mod tests {
     use origami_core::generate::miura;
     use origami_core::solve::{TimeStep, time_step};
 
-    use super::super::scenes::patterns::hinge;
+    use super::super::cases::patterns::hinge;
     use super::*;
 
-    fn held(zeta: f64, factor: f64) -> Held {
+    fn held(zeta: f64, factor: f64) -> Outcome {
         let model =
             Model::new(&miura(3, 3).expect("a sheet"), &Material { zeta, ..Material::default() }).expect("valid");
         let dt = factor * time_step::safe(&model, &model.rest, Integrator::Euler);
@@ -181,8 +181,8 @@ mod tests {
     #[test]
     fn short_steps_hold_and_long_ones_do_not() {
         for zeta in [0.0, 0.45, 1.0] {
-            assert_eq!(held(zeta, 0.5), Held::Holds, "zeta {zeta}");
-            assert!(matches!(held(zeta, 5.0), Held::Diverged { .. }), "zeta {zeta}");
+            assert_eq!(held(zeta, 0.5), Outcome::Holds, "zeta {zeta}");
+            assert!(matches!(held(zeta, 5.0), Outcome::Diverged { .. }), "zeta {zeta}");
         }
     }
 

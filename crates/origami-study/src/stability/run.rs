@@ -2,36 +2,37 @@
 
 use std::sync::mpsc;
 
-use super::row::{Answer, Budget, answer};
-use super::scenes::Scene;
+use super::cases::Case;
+use super::found::Budget;
+use super::row::{self, CaseResult};
 use crate::Watch;
 use crate::options::Deadline;
 
-/// Runs the scenes, the largest first, and returns their answers in the order of the scenes.
-pub(super) fn all(scenes: &[Scene], budget: Budget, deadline: Deadline, watch: &mut dyn Watch) -> Vec<Answer> {
-    let mut order: Vec<usize> = (0..scenes.len()).collect();
-    let nodes = |i: &usize| scenes[*i].pattern.as_ref().map_or(0, |pattern| pattern.vertices.len());
+/// Runs the cases, the largest first, and returns their results in the order of the cases.
+pub(super) fn all(cases: &[Case], budget: Budget, deadline: Deadline, watch: &mut dyn Watch) -> Vec<CaseResult> {
+    let mut order: Vec<usize> = (0..cases.len()).collect();
+    let nodes = |i: &usize| cases[*i].pattern.as_ref().map_or(0, |pattern| pattern.vertices.len());
     order.sort_by_key(|i| std::cmp::Reverse(nodes(i)));
-    let mut answers = vec![Answer::LeftOut; scenes.len()];
-    let (done, answered) = mpsc::channel();
+    let mut results = vec![CaseResult::LeftOut; cases.len()];
+    let (done, finished) = mpsc::channel();
     std::thread::scope(|scope| {
         scope.spawn(|| {
             rayon::scope_fifo(|rows| {
                 for i in order {
                     let done = done.clone();
                     rows.spawn_fifo(move |_| {
-                        let row = if deadline.passed() { Answer::LeftOut } else { answer(&scenes[i], budget) };
+                        let result = if deadline.passed() { CaseResult::LeftOut } else { row::run(&cases[i], budget) };
                         // Whoever listens does so until the last row.
-                        let _ = done.send((i, row));
+                        let _ = done.send((i, result));
                     });
                 }
             });
             drop(done);
         });
-        for (i, row) in answered {
-            watch.ran(&scenes[i].name());
-            answers[i] = row;
+        for (i, result) in finished {
+            watch.ran(&cases[i].name());
+            results[i] = result;
         }
     });
-    answers
+    results
 }

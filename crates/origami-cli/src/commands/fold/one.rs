@@ -7,7 +7,7 @@ use origami::solve::{Failed, Progress, Stop, fold_path};
 use origami::{CreasePattern, Error, Warning, measure};
 
 use super::summary::{self, Told};
-use crate::draw::{self, Artist, Brush, Subject};
+use crate::draw::{self, Artist, Subject};
 use crate::exit::Exit;
 use crate::files::{self, Destination, Format, Input, Sheet, Target};
 use crate::report::{Divergence, Ending, Measured, Note, Report, Run, Scene, Seconds};
@@ -123,10 +123,10 @@ fn attempt(
     run.measured = overall(&frames);
     run.frames = settings.animated.then_some(frames);
     watch.lap();
-    let artist = Artist {
-        style: settings.style.clone().unwrap_or_default(),
-        brush: if on_gpu && settings.style.is_some() { settings.backend.brush() } else { Brush::default() },
-    };
+    let artist = Artist::new(
+        settings.style.clone().unwrap_or_default(),
+        (on_gpu && settings.style.is_some()).then_some(&settings.backend),
+    );
     let mut drawing = watch.lap();
     let sheet = Sheet {
         template: &template,
@@ -143,7 +143,7 @@ fn attempt(
         *(if target.format.is_drawn() { &mut drawing } else { &mut run.seconds.write }) += seconds;
     }
     run.seconds.draw = Some(drawing);
-    if let Some(trouble) = artist.brush.trouble() {
+    if let Some(trouble) = artist.trouble() {
         told.warnings.push(Warning::new(
             WarningCode::Fallback,
             "pictures",

@@ -7,7 +7,7 @@ use std::time::Duration;
 use crate::args::{BackendName, RenderArgs, ViewName};
 use crate::backend::Backend;
 use crate::console;
-use crate::draw::{self, Artist, Brush, Style, Subject};
+use crate::draw::{self, Artist, Style, Subject};
 use crate::exit::{Exit, Failure};
 use crate::files::{self, Destination, Format, Input, whole};
 use crate::numbers::duration;
@@ -44,18 +44,19 @@ pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     let state = lying.state(args.picture.quantity()).map_err(told)?;
     let states = [(0.0, &state)];
     let subject = Subject { pattern: &lying.pattern, model: &lying.model, states: &states };
-    let brush = if args.backend == BackendName::Gpu { backend.brush() } else { Brush::default() };
-    let artist = Artist { style, brush };
+    let artist = Artist::new(style, (args.backend == BackendName::Gpu).then_some(&backend));
     for (destination, format) in &outputs {
-        whole(destination, |writer| match format {
-            Format::Svg => draw::svg(&artist, &lying.drawn, writer),
-            Format::Glb => draw::glb(&artist, subject, None, writer),
-            _ if as_pattern => draw::pattern_png(&artist, &lying.drawn, writer),
-            _ => draw::png(&artist, subject, writer),
+        let flat = *format == Format::Svg || (as_pattern && *format == Format::Png);
+        whole(destination, |writer| {
+            if flat {
+                draw::pattern(*format, &artist, &lying.drawn, writer)
+            } else {
+                draw::sheet(*format, &artist, subject, None, writer)
+            }
         })
         .map_err(told)?;
     }
-    if let (Some(trouble), false) = (artist.brush.trouble(), args.quiet) {
+    if let (Some(trouble), false) = (artist.trouble(), args.quiet) {
         console::warning(format!("drawn by the processor, since {trouble}"));
     }
     if !args.quiet {

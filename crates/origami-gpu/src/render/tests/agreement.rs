@@ -15,37 +15,41 @@ fn six_patterns_look_as_on_the_processor() {
         ("hypar", 80.0),
         ("curved-pleat", 80.0),
     ] {
-        let scene = scene(name, percent);
-        let on_gpu = renderer.draw(&small(), &scene).unwrap();
-        assert_eq!(on_gpu, renderer.draw(&small(), &scene).unwrap(), "{name}: two runs are identical");
-        check(name, &on_gpu, &small().draw(&scene).unwrap());
+        let figure = figure(name, percent);
+        let on_gpu = renderer.draw(&small(), &figure).unwrap();
+        assert_eq!(on_gpu, renderer.draw(&small(), &figure).unwrap(), "{name}: two runs are identical");
+        check(name, &on_gpu, &Processor.draw(&small(), &figure).unwrap());
     }
 }
 
 #[test]
 fn layers_have_their_order_from_everywhere() {
     let Some(renderer) = renderer() else { return };
-    let scene = scene("bird-base", 100.0);
+    let figure = figure("bird-base", 100.0);
     for (azimuth, elevation) in [(-60.0, 10.0), (120.0, 10.0), (0.0, 90.0), (0.0, -90.0)] {
         let picture = Picture { camera: Camera { azimuth, elevation, ..Camera::default() }, ..small() };
         let name = format!("bird-base-from-{azimuth}-{elevation}");
-        check(&name, &renderer.draw(&picture, &scene).unwrap(), &picture.draw(&scene).unwrap());
+        check(&name, &renderer.draw(&picture, &figure).unwrap(), &Processor.draw(&picture, &figure).unwrap());
     }
 }
 
 #[test]
 fn every_style_looks_as_on_the_processor() {
     let Some(renderer) = renderer() else { return };
-    let scene = scene("miura", 60.0);
+    let figure = figure("miura", 60.0);
     let perspective = Camera { projection: Projection::Perspective(50.0), roll: 10.0, ..Camera::isometric() };
     for name in Theme::NAMES {
         let theme = Theme::named(name).unwrap();
         let caption = name.to_owned();
         let picture = Picture { theme, camera: perspective, edges: LineSet::ALL, caption, ..small() };
-        check(&format!("theme-{name}"), &renderer.draw(&picture, &scene).unwrap(), &picture.draw(&scene).unwrap());
+        check(
+            &format!("theme-{name}"),
+            &renderer.draw(&picture, &figure).unwrap(),
+            &Processor.draw(&picture, &figure).unwrap(),
+        );
     }
     let wide = Picture { line_width: 5.0, edges: "MB".parse().unwrap(), ..small() };
-    check("wide", &renderer.draw(&wide, &scene).unwrap(), &wide.draw(&scene).unwrap());
+    check("wide", &renderer.draw(&wide, &figure).unwrap(), &Processor.draw(&wide, &figure).unwrap());
 }
 
 #[test]
@@ -54,12 +58,12 @@ fn maps_look_as_on_the_processor() {
     let (pattern, model, state) = folded("hypar", 80.0);
     for (quantity, name) in [(Quantity::Strain, "strain"), (Quantity::FaceStrain, "face-strain")] {
         let map = Map::new(quantity, &model, &state, ColourMap::Viridis, None);
-        let scene = Scene::new(&pattern, &model, &state.positions).with_map(map);
+        let figure = Figure::new(&pattern, &model, &state.positions).with_map(map);
         for projection in [Projection::Orthographic, Projection::Perspective(60.0)] {
             let picture = Picture { camera: Camera { projection, ..Camera::default() }, ..small() };
             let far = if projection == Projection::Orthographic { "far" } else { "near" };
             let name = format!("hypar-{name}-{far}");
-            check(&name, &renderer.draw(&picture, &scene).unwrap(), &picture.draw(&scene).unwrap());
+            check(&name, &renderer.draw(&picture, &figure).unwrap(), &Processor.draw(&picture, &figure).unwrap());
         }
     }
 }
@@ -69,8 +73,9 @@ fn nothing_is_behind_a_sheet_without_a_background() {
     let Some(renderer) = renderer() else { return };
     let theme = Theme { background: None, ..Theme::paper() };
     let picture = Picture { theme, ..small() };
-    let scene = scene("miura", 60.0);
-    let (on_gpu, by_processor) = (renderer.draw(&picture, &scene).unwrap(), picture.draw(&scene).unwrap());
+    let figure = figure("miura", 60.0);
+    let (on_gpu, by_processor) =
+        (renderer.draw(&picture, &figure).unwrap(), Processor.draw(&picture, &figure).unwrap());
     check("transparent", &on_gpu, &by_processor);
     assert_eq!(on_gpu.pixel(0, 0), [0; 4]);
     // At the rim the colour is the line's, not darkened or lightened by what is not there.
@@ -89,14 +94,14 @@ fn nothing_is_behind_a_sheet_without_a_background() {
 #[test]
 fn fewer_samples_are_what_they_are_on_the_processor() {
     let Some(renderer) = renderer() else { return };
-    let scene = scene("miura", 60.0);
+    let figure = figure("miura", 60.0);
     for samples in [1, 4, 8] {
         let picture = Picture { samples, ..small() };
         let name = format!("samples-{samples}");
-        check(&name, &renderer.draw(&picture, &scene).unwrap(), &picture.draw(&scene).unwrap());
+        check(&name, &renderer.draw(&picture, &figure).unwrap(), &Processor.draw(&picture, &figure).unwrap());
     }
     let colours = |samples| {
-        let image = renderer.draw(&Picture { samples, ..small() }, &scene).unwrap();
+        let image = renderer.draw(&Picture { samples, ..small() }, &figure).unwrap();
         image.pixels.chunks(4).map(<[u8]>::to_vec).collect::<std::collections::BTreeSet<_>>().len()
     };
     // Without edges between colours there are only those of the folds and lines.
@@ -106,14 +111,14 @@ fn fewer_samples_are_what_they_are_on_the_processor() {
 #[test]
 fn a_wrong_picture_fails() {
     let Some(renderer) = renderer() else { return };
-    let scene = scene("miura", 60.0);
-    let should_be = small().draw(&scene).unwrap();
-    let mut missing = scene.clone();
+    let figure = figure("miura", 60.0);
+    let should_be = Processor.draw(&small(), &figure).unwrap();
+    let mut missing = figure.clone();
     let line = missing.lines.iter().position(|line| line.kind == LineKind::Mountain).unwrap();
     missing.lines.remove(line);
-    let mut turned = scene.clone();
+    let mut turned = figure.clone();
     turned.triangles[0].swap(0, 1);
-    let mut dented = scene.clone();
+    let mut dented = figure.clone();
     dented.positions[8][2] += 0.03;
     for (what, wrong) in [("a line is missing", missing), ("a triangle shows its back", turned), ("dented", dented)] {
         let difference = differ(&renderer.draw(&small(), &wrong).unwrap(), &should_be);

@@ -3,18 +3,18 @@
 use origami_picture::{Camera, LineSet, Projection, Theme};
 
 use super::super::tiles::Tiles;
-use super::super::{DrawError, Renderer};
+use super::super::{DrawError, GpuRenderer};
 use super::*;
 
 #[test]
 fn tiles_equal_one_piece() {
     let Some(whole) = renderer() else { return };
-    let scene = scene("crane", 90.0);
+    let figure = figure("crane", 90.0);
     for (projection, tile) in [(Projection::Orthographic, 100), (Projection::Perspective(50.0), 67)] {
         let camera = Camera { projection, ..Camera::default() };
         let picture = Picture { camera, theme: Theme::mono(), edges: LineSet::ALL, ..small() };
-        let tiled = Renderer::with(&whole.gpu, tile, whole.multisampled.is_some()).unwrap();
-        let (is, should_be) = (tiled.draw(&picture, &scene).unwrap(), whole.draw(&picture, &scene).unwrap());
+        let tiled = GpuRenderer::with(&whole.gpu, tile, whole.multisampled.is_some()).unwrap();
+        let (is, should_be) = (tiled.draw(&picture, &figure).unwrap(), whole.draw(&picture, &figure).unwrap());
         // Rounding of depths where a line and a face are equally near.
         let differ = is.pixels.iter().zip(&should_be.pixels).filter(|(a, b)| a.abs_diff(**b) > 1).count();
         assert!(differ < is.pixels.len() / 2000, "{differ} of {}", is.pixels.len());
@@ -41,21 +41,21 @@ fn tiles_cover_every_pixel_once() {
 #[test]
 fn without_multisampling_it_looks_the_same() {
     let Some(whole) = renderer() else { return };
-    let plain = Renderer::with(&whole.gpu, 4096, false).unwrap();
-    let scene = scene("kresling", 90.0);
-    check("single", &plain.draw(&small(), &scene).unwrap(), &small().draw(&scene).unwrap());
+    let plain = GpuRenderer::with(&whole.gpu, 4096, false).unwrap();
+    let figure = figure("kresling", 90.0);
+    check("single", &plain.draw(&small(), &figure).unwrap(), &Processor.draw(&small(), &figure).unwrap());
 }
 
 #[test]
 fn nonsense_is_refused_as_on_the_processor() {
     let Some(renderer) = renderer() else { return };
-    let right = scene("miura", 60.0);
-    let refused = |picture: &Picture, scene: &Scene| {
-        let text = match renderer.draw(picture, scene) {
-            Err(DrawError::Scene(error)) => error.to_string(),
+    let right = figure("miura", 60.0);
+    let refused = |picture: &Picture, figure: &Figure| {
+        let text = match renderer.draw(picture, figure) {
+            Err(DrawError::Invalid(error)) => error.to_string(),
             other => panic!("{other:?}"),
         };
-        assert_eq!(text, picture.draw(scene).unwrap_err().to_string());
+        assert_eq!(text, Processor.draw(picture, figure).unwrap_err().to_string());
     };
     refused(&Picture { samples: 5, ..small() }, &right);
     refused(&Picture { width: 100_000, ..small() }, &right);
@@ -66,21 +66,21 @@ fn nonsense_is_refused_as_on_the_processor() {
     let mut wrong = right.clone();
     wrong.positions[3][1] = f32::NAN;
     let view = small().view(&right, right.positions.iter().copied()).unwrap();
-    assert!(matches!(renderer.draw_from(&small(), &wrong, &view), Err(DrawError::Scene(_))));
+    assert!(matches!(renderer.draw_from(&small(), &wrong, &view), Err(DrawError::Invalid(_))));
 }
 
 #[test]
 fn degenerate_scenes_are_drawn() {
     let Some(renderer) = renderer() else { return };
-    let empty = renderer.draw(&small(), &Scene::default()).unwrap();
-    assert_eq!(empty, small().draw(&Scene::default()).unwrap(), "nothing but the ground");
-    let places = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1e6, -1e6, 3.0], [0.0, 1e17, 0.0], [-1e-30, 0.0, 0.0]];
+    let empty = renderer.draw(&small(), &Figure::default()).unwrap();
+    assert_eq!(empty, Processor.draw(&small(), &Figure::default()).unwrap(), "nothing but the ground");
+    let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1e6, -1e6, 3.0], [0.0, 1e17, 0.0], [-1e-30, 0.0, 0.0]];
     let triangles = vec![[0, 1, 2], [0, 0, 1], [4, 0, 3], [2, 3, 4], [1, 1, 1]];
-    let scene = Scene { positions: places.to_vec(), triangles, ..Scene::default() };
+    let figure = Figure { positions: positions.to_vec(), triangles, ..Figure::default() };
     for zoom in [1.0, 1000.0] {
         for projection in [Projection::Orthographic, Projection::Perspective(60.0)] {
             let picture = Picture { camera: Camera { zoom, projection, ..Camera::default() }, ..small() };
-            assert_eq!(renderer.draw(&picture, &scene).unwrap().pixels.len(), 4 * 400 * 320);
+            assert_eq!(renderer.draw(&picture, &figure).unwrap().pixels.len(), 4 * 400 * 320);
         }
     }
 }

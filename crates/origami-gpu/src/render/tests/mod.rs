@@ -12,15 +12,15 @@ use std::sync::OnceLock;
 use origami_core::generate::catalog;
 use origami_core::{CreasePattern, Material, Model, Relax, State};
 use origami_picture::difference::{Difference, TOLERANCE, compare};
-use origami_picture::{Image, Picture, Scene};
+use origami_picture::{Figure, Image, Picture, Processor, Renderer};
 
-use super::Renderer;
+use super::GpuRenderer;
 use crate::testing::gpu;
 
 /// One for all tests, if there is an adapter.
-fn renderer() -> Option<&'static Renderer> {
-    static SHARED: OnceLock<Option<Renderer>> = OnceLock::new();
-    SHARED.get_or_init(|| gpu().map(|gpu| Renderer::new(&gpu).expect("every adapter draws"))).as_ref()
+fn renderer() -> Option<&'static GpuRenderer> {
+    static SHARED: OnceLock<Option<GpuRenderer>> = OnceLock::new();
+    SHARED.get_or_init(|| gpu().map(|gpu| GpuRenderer::new(&gpu).expect("every adapter draws"))).as_ref()
 }
 
 fn folded(name: &str, percent: f64) -> (CreasePattern, Model, State) {
@@ -30,9 +30,9 @@ fn folded(name: &str, percent: f64) -> (CreasePattern, Model, State) {
     (pattern, model, state)
 }
 
-fn scene(name: &str, percent: f64) -> Scene {
+fn figure(name: &str, percent: f64) -> Figure {
     let (pattern, model, state) = folded(name, percent);
-    Scene::new(&pattern, &model, &state.positions)
+    Figure::new(&pattern, &model, &state.positions)
 }
 
 fn small() -> Picture {

@@ -16,16 +16,16 @@ fn a_sheet_is_drawn_where_the_session_left_it() {
     let mut session = solver.on(&model);
     let rest = State::at_rest(&model);
     let folded = session.fold(&rest, 50.0, &mut |_| {}).unwrap();
-    // The session's place counts, not the scene's.
-    let flat = Scene::new(&pattern, &model, &rest.positions);
-    let scene = Scene::new(&pattern, &model, &folded.state.positions);
-    let view = small().view(&scene, scene.positions.iter().copied()).unwrap();
-    let should_be = renderer.draw(&small(), &scene).unwrap();
+    // The session's positions count, not the figure's.
+    let flat = Figure::new(&pattern, &model, &rest.positions);
+    let figure = Figure::new(&pattern, &model, &folded.state.positions);
+    let view = small().view(&figure, figure.positions.iter().copied()).unwrap();
+    let should_be = renderer.draw(&small(), &figure).unwrap();
     let given = renderer.draw_session(&small(), &flat, &session, Some(&view)).unwrap();
     check("session", &given, &should_be);
     let fitted = renderer.draw_session(&small(), &flat, &session, None).unwrap();
     check("session-fitted", &fitted, &should_be);
-    check("session-and-processor", &fitted, &small().draw(&scene).unwrap());
+    check("session-and-processor", &fitted, &Processor.draw(&small(), &figure).unwrap());
     assert!(!differ(&renderer.draw_from(&small(), &flat, &view).unwrap(), &should_be).within(&TOLERANCE));
 }
 
@@ -37,27 +37,28 @@ fn with_perspective_all_of_the_sheet_is_seen() {
     let solver = renderer.gpu.with(Relax::default());
     let mut session = solver.on(&model);
     let folded = session.fold(&State::at_rest(&model), 60.0, &mut |_| {}).unwrap();
-    let scene = Scene::new(&pattern, &model, &folded.state.positions);
+    let figure = Figure::new(&pattern, &model, &folded.state.positions);
     let camera = Camera { projection: Projection::Perspective(60.0), roll: 20.0, ..Camera::default() };
     let picture = Picture { camera, ..small() };
-    let fitted = renderer.draw_session(&picture, &scene, &session, None).unwrap();
-    check("session-perspective", &fitted, &renderer.draw(&picture, &scene).unwrap());
+    let fitted = renderer.draw_session(&picture, &figure, &session, None).unwrap();
+    check("session-perspective", &fitted, &renderer.draw(&picture, &figure).unwrap());
     let ground = picture.theme.background.unwrap();
     let bare = |x: u32, y: u32| fitted.pixel(x, y) == [ground.0, ground.1, ground.2, 255];
     assert!((0..400).all(|x| bare(x, 2) && bare(x, 317)) && (0..320).all(|y| bare(2, y) && bare(397, y)));
 }
 
 #[test]
-fn a_scene_of_another_sheet_and_a_session_elsewhere_are_refused() {
+fn a_figure_of_another_sheet_and_a_session_elsewhere_are_refused() {
     let Some(renderer) = renderer() else { return };
     let model = Model::new(&catalog::generate("miura", &[]).unwrap(), &Material::default()).unwrap();
     let solver = renderer.gpu.with(Relax::default());
     let session = solver.on(&model);
-    let error = renderer.draw_session(&small(), &scene("hypar", 10.0), &session, None).unwrap_err();
-    assert!(matches!(&error, DrawError::Scene(_)) && error.to_string().contains("nodes; expected"), "{error}");
+    let error = renderer.draw_session(&small(), &figure("hypar", 10.0), &session, None).unwrap_err();
+    assert!(matches!(&error, DrawError::Invalid(_)) && error.to_string().contains("nodes; expected"), "{error}");
 
     let other = Gpu::open(&AdapterChoice::Named(renderer.gpu.adapter().to_string())).unwrap();
     let solver = other.with(Relax::default());
-    let error = renderer.draw_session(&small(), &scene("miura", 10.0), &solver.on(&model), None).unwrap_err();
-    assert!(matches!(&error, DrawError::Gpu(GpuError::Refused(_))), "{error}");
+    let error = renderer.draw_session(&small(), &figure("miura", 10.0), &solver.on(&model), None).unwrap_err();
+    let DrawError::Device(device) = &error else { panic!("{error}") };
+    assert!(matches!(device.downcast_ref(), Some(GpuError::Refused(_))), "{error}");
 }

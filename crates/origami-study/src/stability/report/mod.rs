@@ -6,18 +6,19 @@ mod table;
 
 use self::summary::{Counts, LEAST, MOST};
 use super::drift::Drift;
-use super::row::{Answer, Budget, Row};
+use super::found::Budget;
+use super::row::{CaseResult, Row};
 use crate::table::{Cell, Column, Table};
 use crate::{Part, Study};
 
-/// All that was run.
+/// All that was run, for the report.
 pub(super) struct Ran<'a> {
     pub(super) rows: &'a [Row],
     pub(super) drifts: &'a [Drift],
     /// Whether there was no time for some of those.
     pub(super) drifts_left_out: bool,
     pub(super) budget: Budget,
-    /// Name of the adapter.
+    /// The name of the GPU on which runs were repeated.
     pub(super) gpu: Option<String>,
 }
 
@@ -88,7 +89,7 @@ fn what_was_run(ran: &Ran<'_>) -> String {
         text += &format!(" The same was run in 32 bits on {gpu}.");
     }
     let left_out: Vec<String> =
-        ran.rows.iter().filter(|row| matches!(row.answer, Answer::LeftOut)).map(|row| row.scene.name()).collect();
+        ran.rows.iter().filter(|row| matches!(row.result, CaseResult::LeftOut)).map(|row| row.case.name()).collect();
     if !left_out.is_empty() {
         text += &format!("\n\nThere was no time for {} rows: {}.", left_out.len(), left_out.join("; "));
     }
@@ -178,7 +179,7 @@ fn drift_table(drifts: &[Drift]) -> Table {
         table.push(vec![
             drift.name.into(),
             drift.steps.into(),
-            drift.held.to_string().into(),
+            drift.outcome.to_string().into(),
             drift.of_energy().into(),
             drift.centroid.into(),
             drift.momentum.into(),

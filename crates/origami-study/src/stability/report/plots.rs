@@ -2,7 +2,8 @@
 
 use crate::plot::{Axis, Mark, Plot, Scale, Series};
 use crate::stability::drift::Drift;
-use crate::stability::row::{Found, Row};
+use crate::stability::found::Found;
+use crate::stability::row::Row;
 
 use super::summary::ratios;
 
@@ -19,7 +20,7 @@ pub(super) fn ratios_by_family(rows: &[Row]) -> Plot {
     let mut all: Vec<Series> = Vec::new();
     for (i, row) in rows.iter().enumerate() {
         let points = row.found().into_iter().flat_map(ratios).map(|(_, ratio)| ((i + 1) as f64, ratio));
-        let family = row.scene.family;
+        let family = row.case.family;
         match all.last_mut().filter(|last| last.label == family) {
             Some(last) => last.points.extend(points),
             None => all.push(series(family, Mark::Points, points.collect())),
@@ -59,10 +60,10 @@ pub(super) fn steps(rows: &[Row]) -> Vec<(&'static str, Plot)> {
 impl Curve {
     fn plot(&self, rows: &[Row]) -> Plot {
         let these =
-            || rows.iter().filter(|row| row.scene.family == self.family && row.scene.pattern_name == self.pattern);
+            || rows.iter().filter(|row| row.case.family == self.family && row.case.pattern_name == self.pattern);
         let points = |y: &dyn Fn(&Found) -> Option<f64>| {
             let mut points: Vec<(f64, f64)> =
-                these().filter_map(|row| Some((row.scene.value, y(row.found()?)?))).collect();
+                these().filter_map(|row| Some((row.case.value, y(row.found()?)?))).collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             points
         };
@@ -99,8 +100,8 @@ pub(super) fn drift(drifts: &[Drift]) -> Plot {
 /// How far 32 bits are from 64 against EA.
 pub(super) fn in_32_bits(rows: &[Row], gpu: &str) -> Plot {
     let of = |pattern: &str, distance: &dyn Fn(&Row) -> Option<f64>| {
-        let these = rows.iter().filter(|row| row.scene.family == "EA" && row.scene.pattern_name == pattern);
-        these.filter_map(|row| Some((row.scene.value, distance(row)?))).collect::<Vec<_>>()
+        let these = rows.iter().filter(|row| row.case.family == "EA" && row.case.pattern_name == pattern);
+        these.filter_map(|row| Some((row.case.value, distance(row)?))).collect::<Vec<_>>()
     };
     let mut all = Vec::new();
     for pattern in ["Miura 4x4", "fan of 16"] {

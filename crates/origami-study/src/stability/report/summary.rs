@@ -1,8 +1,9 @@
 //! What the rows of a family have in common, and what misses.
 
-use crate::stability::motion::Held;
-use crate::stability::row::{Answer, Found, Limit, Relaxed, Row};
-use crate::stability::scenes::Size;
+use crate::stability::cases::Size;
+use crate::stability::found::{Found, Limit, Relaxed};
+use crate::stability::motion::Outcome;
+use crate::stability::row::{CaseResult, Row};
 use crate::table::{Cell, Column, Table};
 
 /// The bound is to lie between these shares of the largest step that holds.
@@ -40,7 +41,7 @@ pub(super) fn shown(gpu: bool) -> Vec<&'static str> {
     columns.iter().map(|column| column.key).collect()
 }
 
-/// Some rows, counted.
+/// How many of some rows did what.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::stability) struct Counts {
     pub(super) rows: usize,
@@ -59,7 +60,7 @@ pub(in crate::stability) struct Counts {
     pub(super) gpu_distances: Vec<f64>,
 }
 
-/// All ratios of a row.
+/// The ratios of bound to largest step of a row, by name.
 pub(in crate::stability) fn ratios(found: &Found) -> impl Iterator<Item = (&'static str, f64)> {
     let limits = [("at rest", Some(found.at_rest)), ("Verlet", found.verlet), ("folded", found.folded)];
     limits.into_iter().filter_map(|(what, limit)| limit.and_then(Limit::ratio).map(|ratio| (what, ratio)))
@@ -109,11 +110,11 @@ pub(super) fn median(sorted: &[f64]) -> Option<f64> {
 
 /// One row for each family, and one for all.
 pub(super) fn table(rows: &[Row]) -> Table {
-    let mut families: Vec<&str> = rows.iter().map(|row| row.scene.family).collect();
+    let mut families: Vec<&str> = rows.iter().map(|row| row.case.family).collect();
     families.dedup();
     let mut table = Table::new(COLUMNS);
     for family in families {
-        table.push(cells(family, &Counts::of(rows.iter().filter(|row| row.scene.family == family))));
+        table.push(cells(family, &Counts::of(rows.iter().filter(|row| row.case.family == family))));
     }
     table.push(cells("all", &Counts::of(rows.iter())));
     table
@@ -151,24 +152,24 @@ const MISS_COLUMNS: &[Column] = &[
 pub(super) fn misses(rows: &[Row]) -> Table {
     let mut table = Table::new(MISS_COLUMNS);
     for row in rows {
-        let path: Vec<String> = row.scene.path.iter().map(f64::to_string).collect();
+        let path: Vec<String> = row.case.path.iter().map(f64::to_string).collect();
         for miss in misses_of(row) {
-            let scene = row.scene.name();
-            table.push(vec![row.scene.family.into(), scene.into(), path.join(", ").into(), miss.into()]);
+            let case = row.case.name();
+            table.push(vec![row.case.family.into(), case.into(), path.join(", ").into(), miss.into()]);
         }
     }
     table
 }
 
 fn misses_of(row: &Row) -> Vec<String> {
-    let found = match &row.answer {
-        Answer::Found(found) => found,
-        Answer::Refused(error) => return vec![format!("makes no model: {error}")],
-        Answer::Panicked(what) => return vec![format!("panicked: {what}")],
-        Answer::LeftOut => return vec!["left out: no time".into()],
+    let found = match &row.result {
+        CaseResult::Found(found) => found,
+        CaseResult::Refused(error) => return vec![format!("makes no model: {error}")],
+        CaseResult::Panicked(what) => return vec![format!("panicked: {what}")],
+        CaseResult::LeftOut => return vec!["left out: no time".into()],
     };
     let mut misses = Vec::new();
-    if let Held::Wrong(what) = &found.paper {
+    if let Outcome::Wrong(what) = &found.paper {
         misses.push(format!("the paper's step fails as nothing should: {what}"));
     }
     for (name, held) in [("Euler", &found.safe), ("Verlet", &found.safe_verlet)] {
@@ -181,7 +182,7 @@ fn misses_of(row: &Row) -> Vec<String> {
     let limits = [("at rest", Some(found.at_rest)), ("Verlet", found.verlet), ("folded", found.folded)];
     let unknown = limits.into_iter().filter(|(_, limit)| limit.is_some_and(|limit| limit.largest.is_none()));
     misses.extend(unknown.map(|(what, _)| format!("largest step, {what}: not found")));
-    let small = row.scene.size == Size::Small;
+    let small = row.case.size == Size::Small;
     if small && !found.relaxed.converged() {
         let distance = found.relaxed.folded().map_or(f64::NAN, |folded| folded.distance);
         misses.push(format!("relax: {}, estimate {distance:.1e}", super::table::ended(&found.relaxed)));

@@ -3,7 +3,8 @@
 use origami_core::Folded;
 use origami_core::solve::Stop;
 
-use crate::stability::row::{Answer, Found, Limit, Relaxed, Row};
+use crate::stability::found::{Found, Limit, Relaxed};
+use crate::stability::row::{CaseResult, Row};
 use crate::table::{Cell, Column, Table};
 
 const fn column(key: &'static str, head: &'static str, meaning: &'static str) -> Column {
@@ -51,27 +52,27 @@ const COLUMNS: &[Column] = &[
 pub(super) const SHOWN: &[&str] =
     &["family", "pattern", "parameter", "value", "path", "paper", "safe", "ratio", "relax", "evaluations", "distance"];
 
-/// All rows.
+/// A table of all rows, with all that was found.
 pub(super) fn table(rows: &[Row]) -> Table {
     let mut table = Table::new(COLUMNS);
     for row in rows {
-        let scene = &row.scene;
-        let path: Vec<String> = scene.path.iter().map(f64::to_string).collect();
-        let value = (!scene.parameter.is_empty()).then_some(scene.value);
-        let answer = match &row.answer {
-            Answer::Found(_) => "run".to_owned(),
-            Answer::Refused(error) => format!("refused: {error}"),
-            Answer::Panicked(what) => format!("panicked: {what}"),
-            Answer::LeftOut => "left out".to_owned(),
+        let case = &row.case;
+        let path: Vec<String> = case.path.iter().map(f64::to_string).collect();
+        let value = (!case.parameter.is_empty()).then_some(case.value);
+        let result = match &row.result {
+            CaseResult::Found(_) => "run".to_owned(),
+            CaseResult::Refused(error) => format!("refused: {error}"),
+            CaseResult::Panicked(what) => format!("panicked: {what}"),
+            CaseResult::LeftOut => "left out".to_owned(),
         };
         let mut cells = vec![
-            scene.family.into(),
-            scene.pattern_name.as_str().into(),
-            scene.parameter.into(),
+            case.family.into(),
+            case.pattern_name.as_str().into(),
+            case.parameter.into(),
             value.into(),
             path.join(", ").into(),
             row.found().map(|found| found.model.node_count()).into(),
-            answer.into(),
+            result.into(),
         ];
         match row.found() {
             Some(found) => add(found, &mut cells),

@@ -52,7 +52,7 @@ impl LineKind {
         }
     }
 
-    /// Its name.
+    /// The name of the kind.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -69,11 +69,11 @@ impl LineKind {
 /// A line between two nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// Its ends.
+    /// The nodes at its ends.
     pub nodes: [u32; 2],
     /// How far along its chain each end lies, in radii on the flat sheet: dashes run on from line to line.
     pub along: [f32; 2],
-    /// What it stands for.
+    /// What the line stands for.
     pub kind: LineKind,
     /// The triangles beside it: it is drawn in front of these.
     pub triangles: [Option<u32>; 2],

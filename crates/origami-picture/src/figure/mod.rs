@@ -1,4 +1,4 @@
-//! What a picture shows, for any renderer: plain arrays, indices into them, no colours but the values of a map.
+//! A folded figure, for any renderer: plain arrays, indices into them, no colours but the values of a map.
 
 mod build;
 pub(crate) mod chains;
@@ -12,9 +12,9 @@ use origami_core::Error;
 use crate::layers::Layer;
 use crate::map::{Map, Values};
 
-/// A sheet in one state.
+/// A sheet in one state, as a renderer needs it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Scene {
+pub struct Figure {
     /// By node, in radii of the sheet.
     pub positions: Vec<[f32; 3]>,
     /// Nodes of each triangle, counterclockwise seen from the front of the paper.
@@ -25,7 +25,7 @@ pub struct Scene {
     /// Pairs of triangles, the first under the second (along [`Layer::up`]), that lie upon each other in a circle, as the
     /// flaps of a box do: no depths show them all where they belong. A renderer compares the depths that such triangles have
     /// without their layers, and where these differ by less than [`NEAR`](crate::layers::NEAR) looks here; one that cannot
-    /// may leave them to [`Scene::layers`].
+    /// may leave them to [`Figure::layers`].
     pub circles: Vec<[u32; 2]>,
     /// Creases, borders and what else is drawn as a line.
     pub lines: Vec<Line>,
@@ -33,7 +33,7 @@ pub struct Scene {
     pub map: Option<Map>,
 }
 
-impl Scene {
+impl Figure {
     /// Whether every index leads somewhere and every position is a finite number.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! What the study runs: families of scenes, each along one parameter.
+//! What the study runs: families of cases, each along one parameter.
 
 mod families;
 pub(super) mod patterns;
@@ -10,36 +10,36 @@ pub(super) use families::all;
 /// How much of a row is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Size {
-    /// All of it.
+    /// Small enough for all that is run.
     Small,
     /// Too large for many steps: a few of each solver, which then answer that they have not arrived.
     Large,
 }
 
-/// A row to be.
+/// A sheet and what is asked of it: a row of the study before it is run.
 #[derive(Debug)]
-pub(super) struct Scene {
+pub(super) struct Case {
     /// Rows of one family are counted together.
     pub(super) family: &'static str,
-    /// What is folded.
+    /// The name of the pattern that is folded.
     pub(super) pattern_name: String,
-    /// What is varied.
+    /// The parameter that the family varies.
     pub(super) parameter: &'static str,
-    /// Its value.
+    /// The value of the parameter.
     pub(super) value: f64,
     /// The sheet, or why there is none.
     pub(super) pattern: Result<CreasePattern, Error>,
-    /// What it is made of.
+    /// The material of the sheet.
     pub(super) material: Material,
     /// Percentages that it is sent to, one after the other; the target jumps.
     pub(super) path: Vec<f64>,
-    /// How much is run.
+    /// Whether the sheet is too large for many steps.
     pub(super) size: Size,
     /// Whether the quick study has it.
     pub(super) quick: bool,
 }
 
-impl Scene {
+impl Case {
     /// Of the default material, sent to 60 %.
     fn new(family: &'static str, name: impl Into<String>, pattern: Result<CreasePattern, Error>) -> Self {
         Self {
@@ -81,7 +81,7 @@ impl Scene {
         self
     }
 
-    /// What it is, for people.
+    /// Pattern, parameter and value, as tables name the case.
     pub(super) fn name(&self) -> String {
         if self.parameter.is_empty() {
             self.pattern_name.clone()
@@ -99,15 +99,15 @@ mod tests {
 
     #[test]
     fn rows_are_sheets_and_differ() {
-        let scenes = all();
+        let cases = all();
         let mut seen = HashSet::new();
-        for scene in &scenes {
-            assert!(scene.pattern.is_ok(), "{}", scene.name());
-            let path: Vec<u64> = scene.path.iter().map(|p| p.to_bits()).collect();
-            assert!(seen.insert((scene.family, scene.name(), path)), "{} twice", scene.name());
+        for case in &cases {
+            assert!(case.pattern.is_ok(), "{}", case.name());
+            let path: Vec<u64> = case.path.iter().map(|p| p.to_bits()).collect();
+            assert!(seen.insert((case.family, case.name(), path)), "{} twice", case.name());
         }
-        let families: HashSet<_> = scenes.iter().map(|s| s.family).collect();
-        let quick: HashSet<_> = scenes.iter().filter(|s| s.quick).map(|s| s.family).collect();
+        let families: HashSet<_> = cases.iter().map(|s| s.family).collect();
+        let quick: HashSet<_> = cases.iter().filter(|s| s.quick).map(|s| s.family).collect();
         assert_eq!(families, quick, "the quick study has a part of each family");
     }
 }

@@ -1,9 +1,9 @@
-//! From a picture, a scene and a view to buffers.
+//! From a picture, a figure and a view to buffers.
 
 use bytemuck::Pod;
 use origami_picture::map::Values;
 use origami_picture::raster::{EDGE_ON, ORDER, STEEP, UNDER_MAP, bias, lift, style};
-use origami_picture::{LineKind, Picture, Scene, View};
+use origami_picture::{Figure, LineKind, Picture, View};
 use wgpu::util::DeviceExt;
 
 use super::layout::{Frame, Line, NODES, NONE, Style, TRIANGLES, Tile, Triangle};
@@ -14,12 +14,12 @@ use crate::error::GpuError;
 /// Lines of the grid on which corners lie, a pixel of the picture: as on the processor.
 const GRID: f32 = 256.0;
 
-/// What is drawn.
+/// A figure with the picture and view in which it is drawn.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shot<'a> {
     pub(super) picture: &'a Picture,
-    /// It has been checked.
-    pub(super) scene: &'a Scene,
+    /// The figure, which has been checked.
+    pub(super) figure: &'a Figure,
     pub(super) view: &'a View,
     /// Pixels a side that are drawn for each of the picture's.
     pub(super) factor: u32,
@@ -28,7 +28,7 @@ pub(super) struct Shot<'a> {
 /// Two triangles of four corners.
 const RECTANGLE: [u32; 6] = [0, 1, 2, 2, 1, 3];
 
-/// A scene on the GPU.
+/// A figure in the GPU's memory.
 #[derive(Debug)]
 pub(super) struct Uploaded {
     pub(super) bindings: wgpu::BindGroup,
@@ -54,12 +54,12 @@ impl Uploaded {
         shot: &Shot<'_>,
         positions: &wgpu::Buffer,
     ) -> Result<Self, GpuError> {
-        let Shot { picture, scene, view, factor } = *shot;
-        let triangles = triangles(scene, view);
-        let lines = lines(picture, scene);
+        let Shot { picture, figure, view, factor } = *shot;
+        let triangles = triangles(figure, view);
+        let lines = lines(picture, figure);
         let counts = (corners(triangles.len(), 3)?, corners(lines.len(), 6)?);
         let line_indices: Vec<u32> = (0..counts.1 / 6).flat_map(|i| RECTANGLE.map(|corner| 4 * i + corner)).collect();
-        let (shares, table) = map(scene);
+        let (shares, table) = map(figure);
         for (what, size) in [
             ("the triangles", size_of_val(&triangles[..])),
             ("the lines", size_of_val(&lines[..])),
@@ -84,7 +84,7 @@ impl Uploaded {
                 &buffer(gpu, &table, uniform),
             ];
             let bindings = gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("scene"),
+                label: Some("figure"),
                 layout: &pipelines.layout,
                 entries: &entries(&buffers),
             });
@@ -130,10 +130,10 @@ fn corners(count: usize, each: u32) -> Result<u32, GpuError> {
 }
 
 fn frame(shot: &Shot<'_>) -> Frame {
-    let Shot { picture, scene, view, factor } = *shot;
+    let Shot { picture, figure, view, factor } = *shot;
     let finer = factor as f32;
     let theme = &picture.theme;
-    let mapped = match scene.map.as_ref().map(|map| &map.values) {
+    let mapped = match figure.map.as_ref().map(|map| &map.values) {
         None => 0,
         Some(Values::Nodes(_)) => NODES,
         Some(Values::Triangles(_)) => TRIANGLES,
@@ -159,8 +159,8 @@ fn frame(shot: &Shot<'_>) -> Frame {
 
 /// Widths in pixels of the finer picture; dashes are as long as so many pixels are at the middle of the sheet.
 fn line_style(shot: &Shot<'_>, kind: LineKind) -> Style {
-    let Shot { picture, scene, view, factor } = *shot;
-    let (style, scale) = (style(picture, scene, kind), picture.line_scale());
+    let Shot { picture, figure, view, factor } = *shot;
+    let (style, scale) = (style(picture, figure, kind), picture.line_scale());
     let dash = style.dash.map_or([0.0; 3], |dash| [dash.on, dash.off, dash.dot]);
     let [on, off, dot] = dash.map(|length| length * view.pixel * scale);
     let sensible = on > 0.0 && off > 0.0 && dot >= 0.0 && (on + off).is_finite();
@@ -174,24 +174,24 @@ fn line_style(shot: &Shot<'_>, kind: LineKind) -> Style {
     }
 }
 
-fn triangles(scene: &Scene, view: &View) -> Vec<Triangle> {
+fn triangles(figure: &Figure, view: &View) -> Vec<Triangle> {
     let triangle = |(i, nodes): (usize, &[u32; 3])| Triangle {
         nodes: *nodes,
-        lifts: scene.layers.get(i).map_or([0.0; 3], |layer| lift(layer, view).map(single)),
+        lifts: figure.layers.get(i).map_or([0.0; 3], |layer| lift(layer, view).map(single)),
         ..Triangle::default()
     };
-    scene.triangles.iter().enumerate().map(triangle).collect()
+    figure.triangles.iter().enumerate().map(triangle).collect()
 }
 
 /// Lines that the picture shows, those first that others may cover.
-fn lines(picture: &Picture, scene: &Scene) -> Vec<Line> {
+fn lines(picture: &Picture, figure: &Figure) -> Vec<Line> {
     let mut lines = Vec::new();
     for kind in ORDER {
-        let half = 0.5 * style(picture, scene, kind).width * picture.line_scale();
+        let half = 0.5 * style(picture, figure, kind).width * picture.line_scale();
         if !(picture.edges.has(kind) && half > 0.0 && half < 1e4) {
             continue;
         }
-        lines.extend(scene.lines.iter().filter(|line| line.kind == kind).map(|line| Line {
+        lines.extend(figure.lines.iter().filter(|line| line.kind == kind).map(|line| Line {
             nodes: line.nodes,
             triangles: line.triangles.map(|t| t.unwrap_or(NONE)),
             along: line.along,
@@ -203,8 +203,8 @@ fn lines(picture: &Picture, scene: &Scene) -> Vec<Line> {
 }
 
 /// Shares of the colour map, and the map.
-fn map(scene: &Scene) -> (Vec<f32>, Vec<[f32; 4]>) {
-    let Some(map) = &scene.map else { return (Vec::new(), vec![[0.0; 4]; 256]) };
+fn map(figure: &Figure) -> (Vec<f32>, Vec<[f32; 4]>) {
+    let Some(map) = &figure.map else { return (Vec::new(), vec![[0.0; 4]; 256]) };
     let (Values::Nodes(values) | Values::Triangles(values)) = &map.values;
     let shares = values.iter().map(|value| map.scale.share(*value)).collect();
     let table = map.scale.colours.table().into_iter().map(|[r, g, b]| [r, g, b, 1.0]);

@@ -11,7 +11,7 @@ pub(super) const LARGE: usize = 3000;
 
 /// A sheet, what is asked of it, and how it starts.
 #[derive(Clone, Debug)]
-pub(super) struct Scene {
+pub(super) struct Case {
     pub(super) name: String,
     pub(super) model: Model,
     pub(super) percent: f64,
@@ -21,7 +21,7 @@ pub(super) struct Scene {
     pub(super) in_full: bool,
 }
 
-impl Scene {
+impl Case {
     /// Name and percentage: what a plot is called.
     pub(super) fn title(&self) -> String {
         let start = if self.ramp == 0 { "a jump from flat" } else { "the default ramp" };
@@ -37,27 +37,27 @@ impl Scene {
     }
 }
 
-/// The scenes of a study: the shipped ones, or the user's patterns.
-pub(super) fn scenes(options: &Options) -> Result<Vec<Scene>, StudyError> {
+/// The cases of a study: the shipped ones, or the user's patterns.
+pub(super) fn cases(options: &Options) -> Result<Vec<Case>, StudyError> {
     let soft = Material::default();
-    let mut scenes = Vec::new();
+    let mut cases = Vec::new();
     if options.patterns.is_empty() {
         let small = generate::miura(10, 10)?;
-        scenes.push(Scene::jump("miura 10x10", Model::new(&small, &soft)?));
+        cases.push(Case::jump("miura 10x10", Model::new(&small, &soft)?));
         if !options.quick {
-            scenes.push(Scene::jump("miura 30x30", Model::new(&generate::miura(30, 30)?, &soft)?));
+            cases.push(Case::jump("miura 30x30", Model::new(&generate::miura(30, 30)?, &soft)?));
             let stiff_facets = Material { k_facet: 70.0, ..soft };
-            scenes.push(Scene::jump("miura 10x10, k_facet 70", Model::new(&small, &stiff_facets)?));
+            cases.push(Case::jump("miura 10x10, k_facet 70", Model::new(&small, &stiff_facets)?));
             let stiff_beams = Material { ea: 2000.0, ..soft };
-            scenes.push(Scene::jump("miura 10x10, EA 2000", Model::new(&small, &stiff_beams)?));
+            cases.push(Case::jump("miura 10x10, EA 2000", Model::new(&small, &stiff_beams)?));
         }
     }
     for (name, pattern) in risen(options)? {
         let model = Model::new(&pattern, &soft)?;
         let percents: &[f64] = if options.quick { &[60.0] } else { &[60.0, 100.0] };
-        scenes.extend(percents.iter().map(|percent| Scene::risen(&name, &model, *percent)));
+        cases.extend(percents.iter().map(|percent| Case::risen(&name, &model, *percent)));
     }
-    Ok(scenes)
+    Ok(cases)
 }
 
 /// The patterns that are folded with the default ramp. Rings that are made folded have nothing to fold unless driven.

@@ -1,23 +1,23 @@
-//! From a model in one state to a scene.
+//! From a model in one state to a figure.
 
 use origami_core::glam::DVec3;
 use origami_core::{CreasePattern, Model};
 
-use super::{Line, LineKind, Scene, chains, lips};
+use super::{Figure, Line, LineKind, chains, lips};
 use crate::layers::stack;
 use crate::map::Map;
 
-impl Scene {
+impl Figure {
     /// The sheet with its nodes at `positions` (in radii). A position that is missing counts as the one at rest.
     #[must_use]
     pub fn new(pattern: &CreasePattern, model: &Model, positions: &[DVec3]) -> Self {
-        let mut scene = Self {
+        let mut figure = Self {
             triangles: model.mesh.triangles.iter().map(|t| t.map(|node| node.0)).collect(),
             lines: lines(pattern, model),
             ..Self::default()
         };
-        scene.move_to(model, positions);
-        scene
+        figure.move_to(model, positions);
+        figure
     }
 
     /// The same sheet in another state: positions and layers change.
@@ -30,8 +30,8 @@ impl Scene {
     }
 }
 
-impl Scene {
-    /// The same scene with values in place of the paper's colours.
+impl Figure {
+    /// The same figure with values in place of the paper's colours.
     #[must_use]
     pub fn with_map(self, map: Map) -> Self {
         Self { map: Some(map), ..self }

@@ -1,16 +1,16 @@
-//! The adapter of a study, if there is one.
+//! Where a study repeats its runs: on a GPU, or nowhere.
 
 use origami_core::Solver;
 
-/// None, or the GPU on which runs are repeated. Without the feature `gpu` it is always none.
+/// The GPU on which runs are repeated, or none. Without the feature `gpu` it is always none.
 #[derive(Clone, Debug, Default)]
-pub struct Gpus {
+pub struct GpuChoice {
     #[cfg(feature = "gpu")]
     gpu: Option<origami_gpu::Gpu>,
 }
 
-impl Gpus {
-    /// This one.
+impl GpuChoice {
+    /// Runs are repeated on this GPU.
     #[cfg(feature = "gpu")]
     #[must_use]
     pub fn new(gpu: origami_gpu::Gpu) -> Self {
@@ -26,12 +26,12 @@ impl Gpus {
         None
     }
 
-    /// Whether there is one.
+    /// Whether a GPU was chosen.
     pub(crate) fn is_there(&self) -> bool {
         self.name().is_some()
     }
 
-    /// `solver` on it; on the processor where there is none.
+    /// `solver` on the chosen GPU, or on the processor if none was chosen.
     pub(crate) fn with(&self, solver: OnEither) -> Box<dyn Solver> {
         #[cfg(feature = "gpu")]
         if let Some(gpu) = &self.gpu {
@@ -52,7 +52,7 @@ pub(crate) enum OnEither {
 }
 
 impl OnEither {
-    /// On the processor.
+    /// The solver on the processor.
     pub(crate) fn on_cpu(self) -> Box<dyn Solver> {
         match self {
             Self::Relax(relax) => Box::new(relax),

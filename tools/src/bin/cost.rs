@@ -1,6 +1,6 @@
 //! Cost of a step against the size of the sheet, as a table and a plot (SVG):
 //!
-//! `cargo run --release --features study --example cost -- docs/accuracy/cost.svg`
+//! `cargo run --release -p origami-tools --bin cost -- docs/accuracy/cost.svg`
 //!
 //! Miura sheets folded to 60 % and moved on from there; the least of five runs. A step is one evaluation of all forces and one
 //! move. The difference of a long and a short run leaves out what is done once.

@@ -1,7 +1,7 @@
 //! How far the GPU's arithmetic ends from that of the processor, which computes in f64. Prints Markdown tables.
 //!
-//! `cargo run --release --features gpu --example precision -- [FILE.fold ...]`; `ORIGAMI_ADAPTER` chooses the adapter.
-#![expect(clippy::print_stdout, reason = "an example prints what it found")]
+//! `cargo run --release -p origami-tools --bin precision -- [FILE.fold ...]`; `ORIGAMI_ADAPTER` chooses the adapter.
+#![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
 use std::error::Error;
 use std::path::Path;

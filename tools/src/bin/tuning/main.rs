@@ -1,7 +1,7 @@
 //! How the default ramp and perturbation of `relax` were chosen: each choice on many sheets, as a Markdown table.
 //!
-//! `cargo run --release --example tuning -- FILE.fold ...`
-#![expect(clippy::print_stdout, reason = "an example prints what it found")]
+//! `cargo run --release -p origami-tools --bin tuning -- FILE.fold ...`
+#![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
 mod scenes;
 

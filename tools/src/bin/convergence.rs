@@ -1,7 +1,7 @@
 //! Holds the claims of `relax` against tighter solutions and the paper's scheme, and prints a Markdown table.
 //!
-//! `cargo run --release --example convergence -- FILE.fold ...`
-#![expect(clippy::print_stdout, reason = "an example prints what it found")]
+//! `cargo run --release -p origami-tools --bin convergence -- FILE.fold ...`
+#![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
 use std::error::Error;
 

@@ -1,9 +1,9 @@
 //! What the reference solver costs, on each generated pattern and on a large sheet:
-//! `cargo run --release --features newton --example newton [-- EA]`, where EA is the beams' rigidity, 20 by default.
+//! `cargo run --release -p origami-tools --bin newton [-- EA]`, where EA is the beams' rigidity, 20 by default.
 //!
 //! From where `relax` ends, and by itself in increments from the sheet at rest: factorisations, time, and how far the one
 //! lies from `relax` and the other from the first, in radii.
-#![expect(clippy::print_stdout, reason = "an example prints what it found")]
+#![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
 use std::time::Instant;
 

@@ -1,5 +1,5 @@
 //! Whether threads ever cost: the same steps on one thread and on all, beside other work that holds none, one or all of the
-//! cores. `cargo run --release --example neighbours`
+//! cores. `cargo run --release -p origami-tools --bin neighbours`
 //!
 //! Miura sheets on their way to 60 %; nanoseconds per vertex and step, means over rounds that take turns. The gain is the time
 //! of one thread over that of all.

@@ -34,7 +34,7 @@ fn cpu_step(c: &mut Criterion) {
         let pattern = generate::miura(panels, panels).expect("valid");
         let model = Model::new(&pattern, &Material::default()).expect("a generated pattern");
         let to_start = Dynamics { steps: Some(200), ..Dynamics::default() };
-        let start = to_start.fold(&model, &State::at_rest(&model), 60.0, &mut |_| {}).expect("holds").state;
+        let start = to_start.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched).expect("holds").state;
         let nodes = model.node_count() as u64;
         // So many that copying the start and allocating do not count.
         let steps = (2_000_000 / nodes).max(100);
@@ -52,7 +52,7 @@ fn cpu_step(c: &mut Criterion) {
             ];
             for (name, solver) in solvers {
                 let name = format!("{name}/{}", precision.name());
-                let fold = || solver.fold(&model, &start, 60.0, &mut |_| {}).expect("holds");
+                let fold = || solver.fold(&model, &start, &Scene::percent(60.0), &mut unwatched).expect("holds");
                 group.bench_function(BenchmarkId::new(&name, nodes), |b| {
                     alone.install(|| b.iter(|| black_box(fold())));
                 });

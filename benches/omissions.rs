@@ -44,7 +44,7 @@ fn omissions(c: &mut Criterion) {
     }
     for (name, ea) in [("relax, two sheets of one material", usual.ea), ("relax, two sheets of two materials", 19.0)] {
         let models = [usual, Material { ea, ..usual }].map(|material| model(&plain, &material));
-        let instance = |model| Instance { model, start: State::at_rest(model), percent: 60.0 };
+        let instance = |model| Instance { model, start: State::at_rest(model), scene: Scene::percent(60.0) };
         let instances = models.each_ref().map(instance);
         bench_ensemble(&mut group, BenchmarkId::new(name, models[0].node_count()), relax, &instances);
     }

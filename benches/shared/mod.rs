@@ -1,6 +1,8 @@
 //! What the benches of the GPU share: the adapter, the scenes, and how the time of a step is taken.
 #![expect(dead_code, reason = "each bench uses what it needs")]
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use std::sync::{Mutex, OnceLock};
 use std::time::{Duration, Instant};
 
@@ -80,7 +82,7 @@ pub(crate) fn patterns() -> Vec<(&'static str, Model)> {
 /// 200 steps after the jump from flat: before that creases turn so fast that angles cost more.
 pub(crate) fn on_the_way(model: &Model) -> State {
     let to_start = Dynamics { steps: Some(200), ..Dynamics::default() };
-    to_start.fold(model, &State::at_rest(model), 60.0, &mut |_| {}).expect("it holds").state
+    to_start.fold(model, &State::at_rest(model), &Scene::percent(60.0), &mut unwatched).expect("it holds").state
 }
 
 /// Steps enough for the time of one to be taken, and no more of a large sheet than must be. `speed`: nodes times steps

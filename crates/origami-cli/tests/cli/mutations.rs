@@ -1,5 +1,7 @@
 //! Random damage to a file ends in a result or an error, never in a panic.
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::fold::Document;
 use origami::model::{Material, Model};
 use origami::solve::{Relax, Solver, State};
@@ -21,7 +23,7 @@ fn fold(text: &[u8]) -> Result<(), Error> {
         let pattern = CreasePattern::from_frame(&document.frame(frame)?)?;
         let model = Model::new(&pattern, &Material::default())?;
         let relax = Relax { steps: Some(20), ramp: Some(10), ..Relax::default() };
-        if let Ok(folded) = relax.fold(&model, &State::at_rest(&model), 100.0, &mut |_| {}) {
+        if let Ok(folded) = relax.fold(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched) {
             assert!(folded.state.positions.iter().all(|p| p.is_finite()), "a state that is not finite is no result");
         }
     }

@@ -1,5 +1,7 @@
 //! Whether `converged` is true: each claim against the equilibrium that the run was approaching.
 
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use origami_core::{Dynamics, Folded, Relax, Solver, State};
 
 use super::cases::Case;
@@ -54,7 +56,7 @@ impl Claims {
     }
 
     fn ask(&mut self, name: &str, solver: &dyn Solver, tolerance: f64, case: &Case, reference: &Equilibrium) {
-        let folded = solver.fold(&case.model, &State::at_rest(&case.model), case.percent, &mut |_| {});
+        let folded = solver.fold(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent), &mut unwatched);
         let Ok(folded) = folded else { return };
         let (branch, own) = reference::branch(&case.model, &folded.state, reference);
         let distance = reference::error(&folded.state.positions, own.as_ref().unwrap_or(reference)).max;

@@ -1,5 +1,7 @@
 //! Closed forms of rigid folding: distances from them are the solver's own error, with no model in between.
 
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use std::time::Instant;
 
 use origami_core::generate::{Degree4, Kresling, Miura, SingleCrease, WaterbombVertex, Yoshimura};
@@ -94,7 +96,7 @@ pub(super) fn run(mut ran: impl FnMut(&str)) -> Result<ClosedForms, Error> {
             ("newton", Box::new(Newton::default()), None),
         ] {
             let began = Instant::now();
-            let folded = solver.fold(&known.model, &known.start, 100.0, &mut |_| {});
+            let folded = solver.fold(&known.model, &known.start, &Scene::percent(100.0), &mut unwatched);
             let seconds = began.elapsed().as_secs_f64();
             let Ok(folded) = folded else {
                 found.table.push(vec![

@@ -1,5 +1,7 @@
 //! What was left out: what it would cost to build, and what it changes.
 
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use std::time::Instant;
 
 use origami_core::generate;
@@ -93,7 +95,7 @@ fn with_every_other_crease(pattern: &CreasePattern, stiffness: Option<f64>) -> C
 /// Nanoseconds per node and step.
 fn time(model: &Model, folded: &[DVec3], solver: &dyn Solver) -> f64 {
     let start = State::at(model, folded.to_vec());
-    let fold = || drop(solver.fold(model, &start, 60.0, &mut |_| {}));
+    let fold = || drop(solver.fold(model, &start, &Scene::percent(60.0), &mut unwatched));
     least(fold) / (model.node_count() as u64 * STEPS) as f64
 }
 
@@ -110,7 +112,7 @@ fn least(mut work: impl FnMut()) -> f64 {
 /// How far apart the equilibria of two models of one sheet are at 60 %.
 fn apart(one: &Model, other: &Model) -> Option<f64> {
     let equilibrium = |model: &Model| {
-        let folded = Newton::default().fold(model, &State::at_rest(model), 60.0, &mut |_| {}).ok()?;
+        let folded = Newton::default().fold(model, &State::at_rest(model), &Scene::percent(60.0), &mut unwatched).ok()?;
         folded.converged().then_some(folded.state.positions)
     };
     Some(align(&equilibrium(one)?, &equilibrium(other)?).max)

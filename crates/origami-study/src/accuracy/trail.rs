@@ -1,5 +1,7 @@
 //! The way of a solver towards the equilibrium: its states, with what they cost.
 
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use std::time::Instant;
 
 use origami_core::glam::DVec3;
@@ -137,10 +139,10 @@ pub(super) fn of_newton(case: &Case, from: From, deadline: Deadline) -> Trail {
         let reached = match from {
             From::Relax => {
                 let relax = Relax { ramp: Some(case.ramp), ..Relax::default() };
-                let near = relax.fold(&case.model, &State::at_rest(&case.model), case.percent, &mut |_| {});
+                let near = relax.fold(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent), &mut unwatched);
                 near.and_then(|near| newton.refine(&case.model, &near.state).map(|reached| (reached, near.steps)))
             }
-            From::Rest => newton.climb(&case.model, &State::at_rest(&case.model), case.percent).map(|r| (r, 0)),
+            From::Rest => newton.climb(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent)).map(|r| (r, 0)),
             From::Jump => {
                 let off = State::perturbed(&case.model, newton.perturbation, 0);
                 let jump = State { targets: case.model.targets(case.percent), ..off };
@@ -180,7 +182,7 @@ fn timed(method: OnEither, model: &Model, start: &State, percent: f64, on: On<'_
     let mut session = solver.session(model);
     let mut run = || -> Result<(Folded, f64), Failed> {
         let began = Instant::now();
-        let folded = session.fold(start, percent, &mut |_| {})?;
+        let folded = session.fold(start, &Scene::percent(percent), &mut unwatched)?;
         Ok((folded, began.elapsed().as_secs_f64()))
     };
     let (folded, first) = run()?;

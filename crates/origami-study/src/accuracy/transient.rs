@@ -1,5 +1,7 @@
 //! The motion itself: error of `dynamics` after a fixed time against a far shorter step, and its order of convergence.
 
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use origami_core::generate::{self, SingleCrease};
 use origami_core::solve::{Integrator, TimeStep, time_step};
 use origami_core::{Dynamics, Error, Material, Model, Solver, State};
@@ -90,7 +92,7 @@ pub(super) fn run(quick: bool) -> Result<Transient, Error> {
 fn after(model: &Model, integrator: Integrator, steps: u64) -> Option<State> {
     let time_step = TimeStep::Fixed(TIME / steps as f64);
     let dynamics = Dynamics { time_step, integrator, steps: Some(steps), ..Dynamics::default() };
-    dynamics.fold(model, &State::at_rest(model), 60.0, &mut |_| {}).ok().map(|folded| folded.state)
+    dynamics.fold(model, &State::at_rest(model), &Scene::percent(60.0), &mut unwatched).ok().map(|folded| folded.state)
 }
 
 fn farthest(a: &State, b: &State) -> f64 {

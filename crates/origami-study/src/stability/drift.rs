@@ -1,5 +1,7 @@
 //! A million steps: what the motion should keep, and whether it does.
 
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use origami_core::generate::miura;
@@ -121,7 +123,7 @@ fn run((name, start, integrator, step): (&'static str, Start, Integrator, Step),
     };
     for sample in 1..=SAMPLES {
         let dt;
-        state = match solver.fold(&model, &state, percent, &mut |_| {}) {
+        state = match solver.fold(&model, &state, &Scene::percent(percent), &mut unwatched) {
             Ok(folded) => {
                 dt = folded.time_step;
                 folded.state
@@ -198,7 +200,7 @@ mod tests {
         let model = Model::new(&miura(2, 2).expect("a sheet"), &Material::default()).expect("valid");
         let (state, percent) = begin(&model, Start::Spinning).expect("no equilibrium is needed");
         let solver = Dynamics { steps: Some(500), ..Dynamics::default() };
-        let end = solver.fold(&model, &state, percent, &mut |_| {}).expect("holds").state;
+        let end = solver.fold(&model, &state, &Scene::percent(percent), &mut unwatched).expect("holds").state;
         assert!(motion::energy(&model, &end) < 0.5 * motion::energy(&model, &state), "damping takes energy");
         assert!(angular_momentum(&end).distance(angular_momentum(&state)) > 1e-3, "and stops the spin");
     }

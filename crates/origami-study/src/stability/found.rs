@@ -1,5 +1,7 @@
 //! What a case is given, and what is found of it.
 
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use origami_core::solve::{Failed, Integrator, time_step};
@@ -147,7 +149,7 @@ pub(super) fn follow(
     let mut folded = None;
     let mut state = State::at_rest(model);
     for percent in &case.path {
-        let reached = solver.fold(model, &state, *percent, &mut |_| {})?;
+        let reached = solver.fold(model, &state, &Scene::percent(*percent), &mut unwatched)?;
         state.clone_from(&reached.state);
         folded = Some(reached);
     }

@@ -1,5 +1,7 @@
 //! Whether a step holds: the paper's motion for some thousand steps, its energy watched.
 
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use std::fmt;
 
 use origami_core::forces::Forces;
@@ -136,7 +138,7 @@ impl Motion<'_> {
             let at_first = energy(model, &state);
             let mut before = at_first;
             for piece in 1..=PIECES {
-                let folded = match session.fold(&state, *percent, &mut |_| {}) {
+                let folded = match session.fold(&state, &Scene::percent(*percent), &mut unwatched) {
                     Ok(folded) if is_finite(&folded.state) => folded,
                     Ok(_) => return (Outcome::Wrong("not finite".into()), None),
                     Err(failed) => return (Outcome::of_failed(model, &failed).after(done), None),
@@ -199,7 +201,7 @@ mod tests {
             for steps in 1..40 {
                 let time_step = TimeStep::Fixed(dt);
                 let solver = Dynamics { time_step, integrator, steps: Some(steps), ..Dynamics::default() };
-                let state = solver.fold(&model, &start, 100.0, &mut |_| {}).expect("holds").state;
+                let state = solver.fold(&model, &start, &Scene::percent(100.0), &mut unwatched).expect("holds").state;
                 let kept = kept_energy(&model, &state, dt, integrator);
                 assert!((kept / first - 1.0).abs() < 0.05, "{integrator:?}, {steps}: {kept} of {first}");
                 plain.push(energy(&model, &state));

@@ -1,12 +1,14 @@
 //! Cost of a step against the size of the sheet, as a table and a plot (SVG):
 //!
-//! `cargo run --release --features study --example cost -- docs/accuracy/cost.svg`
+//! `cargo run --release -p origami-tools --bin cost -- docs/accuracy/cost.svg`
 //!
 //! Miura sheets folded to 60 % and moved on from there; the least of five runs. A step is one evaluation of all forces and one
 //! move. The difference of a long and a short run leaves out what is done once.
 
 #![expect(clippy::print_stdout, reason = "its table is what it is for")]
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use std::time::Instant;
 
 use origami::solve::Precision;
@@ -50,7 +52,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                     let start = State::at_rest(&model);
                     let once = || {
                         let began = Instant::now();
-                        drop(solver.fold(&model, &start, 60.0, &mut |_| {}));
+                        drop(solver.fold(&model, &start, &Scene::percent(60.0), &mut unwatched));
                         began.elapsed().as_secs_f64()
                     };
                     let run = || (0..5).map(|_| once()).fold(f64::INFINITY, f64::min);

@@ -1,7 +1,7 @@
 //! Bytes that a step moves and memory that a sheet takes, counted from the buffers; needs no GPU. Prints Markdown.
 //!
-//! `cargo run --release --features gpu --example traffic [NODES ...]`
-#![expect(clippy::print_stdout, reason = "an example prints what it found")]
+//! `cargo run --release -p origami-tools --bin traffic [NODES ...]`
+#![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
 use std::error::Error;
 

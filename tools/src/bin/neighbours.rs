@@ -1,11 +1,13 @@
 //! Whether threads ever cost: the same steps on one thread and on all, beside other work that holds none, one or all of the
-//! cores. `cargo run --release --example neighbours`
+//! cores. `cargo run --release -p origami-tools --bin neighbours`
 //!
 //! Miura sheets on their way to 60 %; nanoseconds per vertex and step, means over rounds that take turns. The gain is the time
 //! of one thread over that of all.
 
 #![expect(clippy::print_stdout, reason = "its table is what it is for")]
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use std::hint::black_box;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -32,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             ("relax", Box::new(Relax { steps: Some(steps), ramp: Some(0), precision, ..Relax::default() })),
         ];
         for (name, solver) in &solvers {
-            let fold = || drop(black_box(solver.fold(&model, &State::at_rest(&model), 60.0, &mut |_| {})));
+            let fold = || drop(black_box(solver.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched)));
             for neighbours in [0, 1, cores] {
                 let [alone, all] = beside(neighbours, || {
                     let mut sums = [0.0; 2];

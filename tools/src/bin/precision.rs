@@ -1,8 +1,10 @@
 //! How far the GPU's arithmetic ends from that of the processor, which computes in f64. Prints Markdown tables.
 //!
-//! `cargo run --release --features gpu --example precision -- [FILE.fold ...]`; `ORIGAMI_ADAPTER` chooses the adapter.
-#![expect(clippy::print_stdout, reason = "an example prints what it found")]
+//! `cargo run --release -p origami-tools --bin precision -- [FILE.fold ...]`; `ORIGAMI_ADAPTER` chooses the adapter.
+#![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use std::error::Error;
 use std::path::Path;
 
@@ -34,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn fold(solver: &dyn Solver, model: &Model) -> Result<Folded, Failed> {
-    solver.fold(model, &State::at_rest(model), PERCENT, &mut |_| {})
+    solver.fold(model, &State::at_rest(model), &Scene::percent(PERCENT), &mut unwatched)
 }
 
 /// The distance of the vertex that is farthest from where the processor has it, in radii: as it is, and after the best

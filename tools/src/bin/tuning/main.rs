@@ -1,10 +1,11 @@
 //! How the default ramp and perturbation of `relax` were chosen: each choice on many sheets, as a Markdown table.
 //!
-//! `cargo run --release --example tuning -- FILE.fold ...`
-#![expect(clippy::print_stdout, reason = "an example prints what it found")]
+//! `cargo run --release -p origami-tools --bin tuning -- FILE.fold ...`
+#![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
 mod scenes;
 
+use origami::solve::unwatched;
 use std::error::Error;
 use std::sync::Mutex;
 use std::thread;
@@ -116,7 +117,7 @@ fn outcome(model: &Model, percent: f64, seed: u64, (ramp, perturbation): Choice)
     };
     let length = (ramp * (model.node_count() as f64 / 300.0).max(1.0).sqrt()) as u32;
     let relax = Relax { ramp: Some(length), perturbation, max_steps: 30_000, ..Relax::default() };
-    let fold = |relax: &Relax| -> Option<Folded> { relax.fold(model, &start, percent, &mut |_| {}).ok() };
+    let fold = |relax: &Relax| -> Option<Folded> { relax.fold(model, &start, &Scene::percent(percent), &mut unwatched).ok() };
     let distance = |a: &Folded, b: &Folded| align(&a.state.positions, &b.state.positions).max;
 
     let claim = fold(&relax)?;

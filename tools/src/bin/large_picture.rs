@@ -1,5 +1,5 @@
 //! What a picture of 100 000 triangles costs in processor time, on a GPU (or a software adapter) and without one:
-//! `cargo run --release --features gpu,render --example large_picture -- OUT.png`. Processor time is told on Linux alone.
+//! `cargo run --release -p origami-tools --bin large_picture -- OUT.png`. Processor time is told on Linux alone.
 
 #![expect(clippy::print_stdout, reason = "it is there to tell")]
 

@@ -1,5 +1,5 @@
 //! Time from a FOLD file to the folded FOLD file, as whole processes, with the parts that their reports tell:
-//! `cargo build --release && cargo run --release --example processes -- target/release/origami`
+//! `cargo build --release && cargo run --release -p origami-tools --bin processes -- target/release/origami`
 //!
 //! Every pattern of `examples/patterns`, larger Miura sheets to 60 %, and sheets of 100 000 and a million vertices that are
 //! read, built, moved by one step and written. Least of ten processes each, of three for the largest; memory is the most that

@@ -1,4 +1,5 @@
-//! The tables of BENCHMARKS.md from what criterion left behind: `cargo run --release --example tables -- target/criterion`
+//! The tables of BENCHMARKS.md from what criterion left behind:
+//! `cargo run --release -p origami-tools --bin tables -- target/criterion`
 //!
 //! Means, in nanoseconds per vertex and step, or per vertex.
 

@@ -1,8 +1,10 @@
 //! Holds the claims of `relax` against tighter solutions and the paper's scheme, and prints a Markdown table.
 //!
-//! `cargo run --release --example convergence -- FILE.fold ...`
-#![expect(clippy::print_stdout, reason = "an example prints what it found")]
+//! `cargo run --release -p origami-tools --bin convergence -- FILE.fold ...`
+#![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use std::error::Error;
 
 use origami::measure::align;
@@ -24,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn row(model: &Model, percent: f64) -> Result<String, Box<dyn Error>> {
-    let fold = |solver: &dyn Solver| solver.fold(model, &State::at_rest(model), percent, &mut |_| {});
+    let fold = |solver: &dyn Solver| solver.fold(model, &State::at_rest(model), &Scene::percent(percent), &mut unwatched);
     let energy = |folded: &Folded| folded.state.energy(model).total();
     let claim = fold(&Relax::default())?;
     let tight = fold(&Relax { tolerance: 1e-6, ..Relax::default() })?;

@@ -1,10 +1,11 @@
 //! What the reference solver costs, on each generated pattern and on a large sheet:
-//! `cargo run --release --features newton --example newton [-- EA]`, where EA is the beams' rigidity, 20 by default.
+//! `cargo run --release -p origami-tools --bin newton [-- EA]`, where EA is the beams' rigidity, 20 by default.
 //!
 //! From where `relax` ends, and by itself in increments from the sheet at rest: factorisations, time, and how far the one
 //! lies from `relax` and the other from the first, in radii.
-#![expect(clippy::print_stdout, reason = "an example prints what it found")]
+#![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
+use origami::scene::Scene;
 use std::time::Instant;
 
 use origami::generate::{catalog, miura};
@@ -33,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let exact = Newton::default().refine(&model, &near.state)?;
             let newton_ms = ms(clock);
             let clock = Instant::now();
-            let alone = Newton::default().climb(&model, &State::at_rest(&model), percent)?;
+            let alone = Newton::default().climb(&model, &State::at_rest(&model), &Scene::percent(percent))?;
             let alone_ms = ms(clock);
             let from_relax = align(&near.state.positions, &exact.state.positions).max;
             let from_newton = align(&alone.state.positions, &exact.state.positions).max;

@@ -34,7 +34,8 @@ fn cpu_step(c: &mut Criterion) {
         let pattern = generate::miura(panels, panels).expect("valid");
         let model = Model::new(&pattern, &Material::default()).expect("a generated pattern");
         let to_start = Dynamics { steps: Some(200), ..Dynamics::default() };
-        let start = to_start.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched).expect("holds").state;
+        let start =
+            to_start.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched).expect("holds").state;
         let nodes = model.node_count() as u64;
         // So many that copying the start and allocating do not count.
         let steps = (2_000_000 / nodes).max(100);

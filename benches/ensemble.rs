@@ -25,8 +25,9 @@ fn ensemble(c: &mut Criterion) {
     for count in COUNTS {
         let start = State::at_rest(&bird);
         let percent = |i: usize| 50.0 + 50.0 * i as f64 / count as f64;
-        let instances: Vec<Instance<'_>> =
-            (0..count).map(|i| Instance { model: &bird, start: start.clone(), scene: Scene::percent(percent(i)) }).collect();
+        let instances: Vec<Instance<'_>> = (0..count)
+            .map(|i| Instance { model: &bird, start: start.clone(), scene: Scene::percent(percent(i)) })
+            .collect();
         let fold = |solver: &dyn Solver| {
             let results = solver.fold_all(&instances, &|_, _| ControlFlow::Continue(()));
             assert!(results.iter().all(Result::is_ok), "all hold");

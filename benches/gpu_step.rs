@@ -66,9 +66,12 @@ fn step(c: &mut Criterion) {
         }
         let paper = PaperDynamics { gpu: place.gpu.clone(), time_step: TimeStep::Paper, steps: gpu_steps };
         // One run tells whether its lists, longer than ours, fit into the adapter's buffers.
-        match (PaperDynamics { steps: 0, ..paper.clone() }).fold(&model, &start, &Scene::percent(60.0), &mut unwatched) {
+        match (PaperDynamics { steps: 0, ..paper.clone() }).fold(&model, &start, &Scene::percent(60.0), &mut unwatched)
+        {
             Ok(_) => bench_steps(&mut group, BenchmarkId::new("gpu, paper's five passes", nodes), nodes, |looks| {
-                paper.fold(&model, &start, &Scene::percent(60.0), &mut |progress| looks.look(progress)).expect("it holds");
+                paper
+                    .fold(&model, &start, &Scene::percent(60.0), &mut |progress| looks.look(progress))
+                    .expect("it holds");
             }),
             Err(error) => eprintln!("the paper's five passes over {nodes} nodes are left out: {error}"),
         }

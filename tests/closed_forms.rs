@@ -3,13 +3,13 @@
 
 mod common;
 
-use origami::scene::Scene;
-use origami::solve::unwatched;
 use common::model;
 use origami::generate::{Degree4, Kresling, Miura, SingleCrease, WaterbombVertex, Yoshimura};
 use origami::glam::DVec3;
 use origami::measure::{align, closures, edge_fold_angles};
 use origami::rigid::{Degree4Mode, KreslingFold, YoshimuraFold, degree4, loop_closure, waterbomb_polar};
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::{CreasePattern, Folded, Model, Relax, Solver, State};
 
 /// A solver, and what is asked of it.
@@ -162,7 +162,10 @@ fn loops_close_where_the_fold_is_rigid_and_not_where_it_is_strained() {
             let folded = method.fold(&model, &State::at_rest(&model)).state;
             let closure = worst_closure(&model, &folded);
             assert!(closure < 10.0 * method.near, "{closure}");
-            let halfway = method.solver.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched).expect("holds");
+            let halfway = method
+                .solver
+                .fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched)
+                .expect("holds");
             assert!(worst_closure(&model, &halfway.state) > 1e-4, "at 60 % the sheet is strained");
         }
     });

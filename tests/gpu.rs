@@ -3,9 +3,6 @@
 
 mod common;
 
-use std::ops::ControlFlow;
-use origami::scene::Scene;
-use origami::solve::unwatched;
 use common::gpu::gpu;
 use common::largest_distance;
 use origami::generate::{BirdBase, Fan, Kresling, Miura, Waterbomb};
@@ -13,8 +10,11 @@ use origami::glam::DVec3;
 use origami::gpu::{Dispatch, Gpu, GpuMethod};
 use origami::ids::VertexId;
 use origami::pattern::Assignment;
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::solve::{Failed, Instance, Integrator, TimeStep, fold_path};
 use origami::{CreasePattern, Dynamics, Folded, Material, Model, Relax, Solver, State};
+use std::ops::ControlFlow;
 
 /// How far trajectories of 300 steps may be apart, in radii. Forces come in single precision, 1e-7 of their size each, and
 /// positions are kept to 1e-11: 1e-7 of a motion of 1 with damping, some 1e-6 without, where nothing forgets an error.
@@ -317,7 +317,9 @@ fn progress_is_told_in_order() {
     let model = sheet("miura");
     let mut told = Vec::new();
     let solver = gpu.with(Relax::default());
-    let folded = solver.fold(&model, &start(&model), &Scene::percent(50.0), &mut |progress| told.push(progress)).expect("it holds");
+    let folded = solver
+        .fold(&model, &start(&model), &Scene::percent(50.0), &mut |progress| told.push(progress))
+        .expect("it holds");
     assert!(told.len() > 5, "{} reports", told.len());
     assert!(told.windows(2).all(|pair| pair[0].step <= pair[1].step && pair[0].ramp <= pair[1].ramp));
     assert!(told[0].distance.is_infinite() && told[0].ramp < 0.5);
@@ -326,7 +328,8 @@ fn progress_is_told_in_order() {
 }
 
 fn diverged(solver: &dyn Solver, model: &Model) -> origami::solve::Diverged {
-    let failed = solver.fold(model, &start(model), &Scene::percent(60.0), &mut unwatched).expect_err("the step is too long");
+    let failed =
+        solver.fold(model, &start(model), &Scene::percent(60.0), &mut unwatched).expect_err("the step is too long");
     let Failed::Diverged(diverged) = failed else { panic!("{failed}") };
     diverged
 }
@@ -364,7 +367,11 @@ fn a_step_that_is_no_number_is_found_at_once() {
 
 fn instances(models: &[Model]) -> Vec<Instance<'_>> {
     let percents = [20.0, 55.0, 80.0].into_iter().cycle();
-    models.iter().zip(percents).map(|(model, percent)| Instance { model, start: start(model), scene: Scene::percent(percent) }).collect()
+    models
+        .iter()
+        .zip(percents)
+        .map(|(model, percent)| Instance { model, start: start(model), scene: Scene::percent(percent) })
+        .collect()
 }
 
 /// Whether each of an ensemble is what it is alone, on the same adapter and by the same passes.
@@ -373,7 +380,9 @@ fn same_as_alone<S: GpuMethod + Clone>(gpu: &Gpu, method: &S, dispatch: Dispatch
     let all = solver.fold_all(instances, &|_, _| ControlFlow::Continue(()));
     assert_eq!(all.len(), instances.len());
     for (i, (instance, together)) in instances.iter().zip(all).enumerate() {
-        let alone = solver.fold(instance.model, &instance.start, &Scene::percent(instance.percent), &mut unwatched).expect("it holds");
+        let alone = solver
+            .fold(instance.model, &instance.start, &Scene::percent(instance.percent), &mut unwatched)
+            .expect("it holds");
         let together = together.expect("it holds");
         assert_eq!((together.percent, together.steps, together.stop), (alone.percent, alone.steps, alone.stop), "{i}");
         let far = apart(&together.state, &alone.state);

@@ -3,13 +3,13 @@
 
 mod common;
 
-use origami::scene::Scene;
-use origami::solve::unwatched;
 use origami::generate::{catalog, miura};
 use origami::glam::{DMat3, DQuat, DVec3};
 use origami::ids::{TriangleId, VertexId};
 use origami::measure::{align, edge_fold_angles};
 use origami::pattern::Assignment;
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::{CreasePattern, Dynamics, Material, Model, Relax, Solver, State};
 
 const NAMES: [&str; 4] = ["bird-base", "square-twist", "miura", "waterbomb"];
@@ -22,8 +22,14 @@ fn made(name: &str) -> CreasePattern {
 fn states(pattern: &CreasePattern) -> [Vec<DVec3>; 2] {
     let model = Model::new(pattern, &Material::default()).expect("a generated pattern");
     let start = State::at_rest(&model);
-    let relaxed = Relax { tolerance: 1e-9, ..Relax::default() }.fold(&model, &start, &Scene::percent(60.0), &mut unwatched);
-    let moving = Dynamics { steps: Some(200), ..Dynamics::default() }.fold(&model, &start, &Scene::percent(60.0), &mut unwatched);
+    let relaxed =
+        Relax { tolerance: 1e-9, ..Relax::default() }.fold(&model, &start, &Scene::percent(60.0), &mut unwatched);
+    let moving = Dynamics { steps: Some(200), ..Dynamics::default() }.fold(
+        &model,
+        &start,
+        &Scene::percent(60.0),
+        &mut unwatched,
+    );
     [relaxed, moving].map(|folded| {
         let state = folded.expect("holds").state;
         let node = |v: usize| model.mesh.node_of_vertex[v].expect("no isolated vertices");

@@ -4,13 +4,13 @@
 
 mod common;
 
-use origami::scene::Scene;
-use origami::solve::unwatched;
 use common::{fold, made, model};
 use origami::generate::{self, catalog};
 use origami::glam::DVec3;
 use origami::ids::NodeId;
 use origami::measure::align;
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::solve::{Failed, Stop, fold_path};
 use origami::{Material, Model, Newton, Relax, Solver, State};
 

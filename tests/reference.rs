@@ -55,7 +55,8 @@ impl Reference {
     /// As many steps as the reference made, after a jump to `percent`.
     fn fold(&self, model: &Model, percent: f64) -> Folded {
         let solver = Dynamics { steps: self.value["steps"].as_u64(), ..Dynamics::default() };
-        let folded = solver.fold(model, &State::at_rest(model), &Scene::percent(percent), &mut unwatched).expect("holds");
+        let folded =
+            solver.fold(model, &State::at_rest(model), &Scene::percent(percent), &mut unwatched).expect("holds");
         let time_step = self.value["dt"].as_f64().expect("a step");
         assert!((folded.time_step / time_step - 1.0).abs() < 1e-6, "{}: {}", self.name, folded.time_step);
         folded

@@ -3,10 +3,10 @@
 
 mod common;
 
-use origami::scene::Scene;
-use origami::solve::unwatched;
 use origami::generate::{Fan, miura};
 use origami::glam::DVec3;
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::solve::{Diverged, Failed, Integrator, Quantity, TimeStep};
 use origami::{CreasePattern, Dynamics, Folded, Material, Model, Relax, Solver, State};
 
@@ -45,7 +45,9 @@ fn run(model: &Model, time_step: TimeStep, integrator: Integrator, steps: u64) -
 /// shakes without end.
 fn rests(model: &Model, time_step: TimeStep) -> bool {
     let solver = Dynamics { time_step, max_steps: 20_000, ..Dynamics::default() };
-    solver.fold(model, &State::at_rest(model), &Scene::percent(60.0), &mut unwatched).is_ok_and(|folded| folded.converged())
+    solver
+        .fold(model, &State::at_rest(model), &Scene::percent(60.0), &mut unwatched)
+        .is_ok_and(|folded| folded.converged())
 }
 
 fn is_sane(state: &State) -> bool {

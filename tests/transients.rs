@@ -2,9 +2,9 @@
 
 mod common;
 
+use origami::glam::DVec3;
 use origami::scene::Scene;
 use origami::solve::unwatched;
-use origami::glam::DVec3;
 use origami::solve::{Integrator, Stop, TimeStep};
 use origami::{Dynamics, Folded, Material, Model, Solver, State};
 
@@ -73,7 +73,9 @@ fn a_vibration_neither_gains_nor_loses_energy_over_many_periods() {
 fn the_driven_crease_comes_to_rest_at_its_target_without_strain() {
     let model = crease(2.0, &Material::default());
     let solver = Dynamics { tolerance: 1e-6, ..Dynamics::default() };
-    let folded = solver.fold(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched).expect("a proper triangle pair");
+    let folded = solver
+        .fold(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched)
+        .expect("a proper triangle pair");
     assert_eq!(folded.stop, Stop::Converged);
     assert!((folded.state.fold_angles[0] - 2.0).abs() < 1e-5);
     assert!(folded.state.energy(&model).total() < 1e-11);
@@ -85,7 +87,8 @@ fn exactly_the_steps_asked_for_are_run() {
     let mut dt = 0.0;
     for steps in [0, 1, 7, 300] {
         let solver = Dynamics { steps: Some(steps), ..Dynamics::default() };
-        let folded = solver.fold(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched).expect("holds");
+        let folded =
+            solver.fold(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched).expect("holds");
         assert_eq!((folded.steps, folded.stop), (steps, Stop::StepsDone));
         dt = folded.time_step;
     }
@@ -109,7 +112,8 @@ fn fixed_vertices_stay_where_they_are() {
         &Dynamics { integrator: Integrator::Verlet, ..Dynamics::default() },
     ];
     for solver in solvers {
-        let folded = solver.fold(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched).expect("holds");
+        let folded =
+            solver.fold(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched).expect("holds");
         assert!(folded.converged());
         for fixed in 1..4 {
             assert_eq!(folded.state.positions[fixed], model.rest[fixed]);

@@ -4,12 +4,12 @@
 #[cfg(feature = "gpu")]
 pub(crate) mod gpu;
 
-use origami::scene::Scene;
-use origami::solve::unwatched;
 use origami::generate::catalog;
 use origami::glam::DVec3;
 use origami::ids::VertexId;
 use origami::pattern::{Assignment, PatternEdge};
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::{CreasePattern, Folded, Material, Model, Solver, State};
 
 /// Which springs a model has.

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use origami::solve::Folded;
+
 /// With two significant digits, such as `0.41`, `2.1`, `170`; tiny and huge ones as `3.1e-5`.
 pub(crate) fn short(x: f64) -> String {
     let size = x.abs();
@@ -56,6 +58,11 @@ pub(crate) fn bytes(n: u64) -> String {
     let power = n.max(1).ilog2() / 10;
     let unit = ["B", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"][power as usize];
     format!("{} {unit}", short(n as f64 / (1_u64 << (10 * power)) as f64))
+}
+
+/// The percentage that a state was folded to: the command line asks for nothing else.
+pub(crate) fn percent_of(folded: &Folded) -> f64 {
+    folded.percent().unwrap_or(f64::NAN)
 }
 
 #[cfg(test)]

@@ -84,6 +84,7 @@ impl Settings {
             (SolverName::Dynamics, TimeStep::Paper) => Some(time_step::paper(model)),
             (SolverName::Dynamics, TimeStep::Safe) => Some(time_step::safe(model, &model.rest, self.integrator)),
             (SolverName::Dynamics, TimeStep::Fixed(dt)) => Some(dt),
+            (SolverName::Dynamics, _) => None,
         }
     }
 }
@@ -102,7 +103,16 @@ pub(crate) fn method(solving: &SolvingArgs, perturbation: Option<f64>) -> Result
         SolverName::Dynamics => {
             let ramp = solving.ramp.unwrap_or(0);
             let (time_step, integrator) = (solving.time_step(), solving.integrator());
-            Ok(Method::Dynamics(Dynamics { time_step, integrator, ramp, tolerance, max_steps, steps, precision }))
+            Ok(Method::Dynamics(Dynamics {
+                time_step,
+                integrator,
+                ramp,
+                tolerance,
+                max_steps,
+                steps,
+                precision,
+                ..Dynamics::default()
+            }))
         }
         SolverName::Newton => newton(Relax { steps: None, precision: Precision::F64, ..relax }, solving.residual),
     }

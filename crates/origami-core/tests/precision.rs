@@ -1,9 +1,9 @@
 //! Computing in f32 with places in f64 leads to the same equilibria as f64 throughout.
 
-use origami_core::scene::Scene;
-use origami_core::solve::unwatched;
 use origami_core::generate::catalog;
 use origami_core::measure::align;
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use origami_core::solve::{Dynamics, Folded, Precision, Relax, Solver, State};
 use origami_core::{Material, Model};
 
@@ -18,7 +18,12 @@ fn both(model: &Model, percent: f64) -> [Folded; 2] {
     let mixed = Relax { precision: Precision::Mixed, tolerance: 1e-6, max_steps: 20_000, ..exact.clone() };
     let exact = exact.fold_from_rest(model, percent).expect("holds");
     let start = exact.state.clone();
-    let mixed = Relax { steps: Some(2000), ramp: Some(0), ..mixed }.fold(model, &start, &Scene::percent(percent), &mut unwatched);
+    let mixed = Relax { steps: Some(2000), ramp: Some(0), ..mixed }.fold(
+        model,
+        &start,
+        &Scene::percent(percent),
+        &mut unwatched,
+    );
     [exact, mixed.expect("holds")]
 }
 

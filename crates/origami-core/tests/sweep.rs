@@ -1,13 +1,13 @@
 //! Many sheets of one pattern: which there are, and that each is folded as if it were alone.
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
-use std::ops::ControlFlow;
-use origami_core::scene::Scene;
-use origami_core::solve::unwatched;
 use origami_core::generate::{BirdBase, SingleCrease, miura};
 use origami_core::model::MaterialGrid;
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use origami_core::solve::{Dynamics, Failed, Point, Sweep, TimeStep};
 use origami_core::{CreasePattern, Folded, Material, Model, Relax, Solver, State};
+use std::ops::ControlFlow;
 
 /// A solver that takes the perturbation that its instances bring.
 fn relax() -> Relax {

@@ -84,11 +84,11 @@ mod tests {
     use origami_core::{Dynamics, Material, Relax, Solver, State};
 
     use super::*;
-    use origami_core::scene::Scene;
-    use origami_core::solve::unwatched;
     use crate::method::GpuMethod;
     use crate::purpose::Dispatch;
     use crate::testing::gpu;
+    use origami_core::scene::Scene;
+    use origami_core::solve::unwatched;
 
     fn bird() -> CreasePattern {
         BirdBase::default().pattern().expect("a pattern")

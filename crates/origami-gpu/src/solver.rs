@@ -150,7 +150,8 @@ mod tests {
         });
         let failed = failed.expect_err("it was lost");
         assert_eq!(failed.last_state(), &start, "what it began with is all that is known");
-        let all = solver.fold_all(&[Instance { model: &model, start: start.clone(), scene }], &|_, _| ControlFlow::Continue(()));
+        let all = solver
+            .fold_all(&[Instance { model: &model, start: start.clone(), scene }], &|_, _| ControlFlow::Continue(()));
         assert!(matches!(all[0], Err(Failed::Backend { .. })), "it stays lost");
         Some((failed, reported))
     }

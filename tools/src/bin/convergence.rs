@@ -26,7 +26,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn row(model: &Model, percent: f64) -> Result<String, Box<dyn Error>> {
-    let fold = |solver: &dyn Solver| solver.fold(model, &State::at_rest(model), &Scene::percent(percent), &mut unwatched);
+    let fold =
+        |solver: &dyn Solver| solver.fold(model, &State::at_rest(model), &Scene::percent(percent), &mut unwatched);
     let energy = |folded: &Folded| folded.state.energy(model).total();
     let claim = fold(&Relax::default())?;
     let tight = fold(&Relax { tolerance: 1e-6, ..Relax::default() })?;

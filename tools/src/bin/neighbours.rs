@@ -34,7 +34,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             ("relax", Box::new(Relax { steps: Some(steps), ramp: Some(0), precision, ..Relax::default() })),
         ];
         for (name, solver) in &solvers {
-            let fold = || drop(black_box(solver.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched)));
+            let fold =
+                || drop(black_box(solver.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched)));
             for neighbours in [0, 1, cores] {
                 let [alone, all] = beside(neighbours, || {
                     let mut sums = [0.0; 2];

@@ -12,6 +12,7 @@ use origami::{CreasePattern, Error};
 use super::{Destination, Format, Target};
 use crate::console;
 use crate::draw::{self, Artist, Subject};
+use crate::numbers::percent_of;
 
 /// Own key: whether the state is within the tolerance of the equilibrium.
 const CONVERGED: &str = "origami:converged";
@@ -45,7 +46,7 @@ impl Sheet<'_> {
             _ => false,
         };
         let first = if all { 0 } else { self.states.len().saturating_sub(1) };
-        self.states[first..].iter().map(|folded| (folded.percent, &folded.state)).collect()
+        self.states[first..].iter().map(|folded| (percent_of(folded), &folded.state)).collect()
     }
 }
 

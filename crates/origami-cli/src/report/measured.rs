@@ -5,6 +5,8 @@ use origami::model::Model;
 use origami::solve::{Folded, Stop};
 use serde::Serialize;
 
+use crate::numbers::percent_of;
+
 /// How a state was reached and what it is like. Numbers that are not known are null.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct Measured {
@@ -76,7 +78,7 @@ impl Measured {
         let angles = angle_error(&folded.state);
         let tangled = folded.state.tangled_creases();
         Self {
-            percent: folded.percent,
+            percent: percent_of(folded),
             time_step: Some(folded.time_step),
             steps: folded.steps,
             converged: folded.converged(),
@@ -104,7 +106,8 @@ impl From<Stop> for Ending {
         match stop {
             Stop::Converged => Self::Converged,
             Stop::StepsDone => Self::StepsDone,
-            Stop::StepLimit => Self::StepLimit,
+            // The command line breaks nothing off.
+            _ => Self::StepLimit,
         }
     }
 }

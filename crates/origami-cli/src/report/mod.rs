@@ -76,7 +76,7 @@ impl From<&Diverged> for Divergence {
     fn from(diverged: &Diverged) -> Self {
         let quantity = match diverged.quantity {
             Quantity::Position => "position",
-            Quantity::Move => "move",
+            _ => "move",
         };
         Self { vertex: diverged.vertex.0, step: diverged.step, quantity, value: diverged.value }
     }

@@ -1,9 +1,9 @@
 //! Random damage to a file ends in a result or an error, never in a panic.
 
-use origami::scene::Scene;
-use origami::solve::unwatched;
 use origami::fold::Document;
 use origami::model::{Material, Model};
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::solve::{Relax, Solver, State};
 use origami::{CreasePattern, Error};
 use proptest::prelude::*;

@@ -35,13 +35,7 @@ impl Energy {
 
     /// The same with what the scene adds.
     #[must_use]
-    pub fn in_scene(
-        model: &Model,
-        scene: &Scene,
-        positions: &[DVec3],
-        fold_angles: &[f64],
-        targets: &[f64],
-    ) -> Self {
+    pub fn in_scene(model: &Model, scene: &Scene, positions: &[DVec3], fold_angles: &[f64], targets: &[f64]) -> Self {
         let work = |load: &Load| load.force.dot(positions[load.node.index()] - model.rest[load.node.index()]);
         Self {
             loads: -scene.loads.iter().map(work).sum::<f64>(),

@@ -13,8 +13,7 @@ pub(super) const BLOCK: usize = 256;
 
 /// Adds up the sums of all blocks, in their order.
 pub(super) fn total_of(blocks: &[Sums]) -> Sums {
-    let add =
-        |a: Sums, b: &Sums| Sums { power: a.power + b.power, speed: a.speed + b.speed, pull: a.pull + b.pull };
+    let add = |a: Sums, b: &Sums| Sums { power: a.power + b.power, speed: a.speed + b.speed, pull: a.pull + b.pull };
     blocks.iter().fold(Sums::default(), add)
 }
 

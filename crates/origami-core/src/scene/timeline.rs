@@ -121,7 +121,9 @@ mod tests {
         let border = (0..).map(EdgeId).find(|e| model.crease_of(*e).is_none()).expect("a border");
         assert_eq!(timeline.set(border, [(0.0, 1.0)]), Err(KeyRefused::NoCrease(border)));
         assert_eq!(timeline.set(crease, []), Err(KeyRefused::Empty(crease)));
-        for (keys, index) in [([(0.5, 0.0), (0.4, 0.0)], 1), ([(-0.1, 0.0), (0.4, 0.0)], 0), ([(0.0, 0.0), (1.0, f64::NAN)], 1)] {
+        for (keys, index) in
+            [([(0.5, 0.0), (0.4, 0.0)], 1), ([(-0.1, 0.0), (0.4, 0.0)], 0), ([(0.0, 0.0), (1.0, f64::NAN)], 1)]
+        {
             let refused = timeline.set(crease, keys).expect_err("a bad key").to_string();
             assert!(refused.starts_with(&format!("keys[{index}] of edge {}", crease.0)), "{refused}");
         }

@@ -156,7 +156,9 @@ impl Method for Relax {
         let begins = targets != start.targets || !scene.has_springs_only();
         let positions = self.beginning(model, start, scene, &targets).positions;
         let stepper = match self.precision {
-            Precision::F64 => Precise::F64(Box::new(self.stepper((model, start), positions, (scene, targets, ramp), threads))),
+            Precision::F64 => {
+                Precise::F64(Box::new(self.stepper((model, start), positions, (scene, targets, ramp), threads)))
+            }
             Precision::Mixed => {
                 Precise::Mixed(Box::new(self.stepper((model, start), positions, (scene, targets, ramp), threads)))
             }
@@ -215,7 +217,8 @@ impl Engine for CpuEngine {
     }
 
     fn report(&self) -> Report {
-        let (progress, settled) = either!(&self.stepper, stepper => (stepper.progress(), stepper.settling.has_settled()));
+        let (progress, settled) =
+            either!(&self.stepper, stepper => (stepper.progress(), stepper.settling.has_settled()));
         Report { steps: progress.step, settled, distance: progress.distance, ramp: progress.ramp }
     }
 

@@ -4,9 +4,9 @@ use crate::kernel::{Compute, Kernel};
 use crate::model::Model;
 use crate::twins::fire_update::{Fire, RENEWAL, fire_update};
 
+use super::State;
 use super::row_sums::all_row_sums;
 use super::surroundings::Surroundings;
-use super::State;
 
 /// The minimiser's own state.
 #[derive(Clone, Debug)]

@@ -49,11 +49,11 @@ pub use path::{PathFailed, fold_path, frame_percents};
 pub use positions::{Positions, Units};
 pub use precision::Precision;
 pub use relax::{Relax, default_ramp};
+pub use saved::Saved;
 pub use session::Session;
 pub use simulation::{Pin, Simulation};
 pub use sparse_hessian::SparseHessian;
 pub use state::State;
-pub use saved::Saved;
 pub use sweep::{Point, Sweep};
 #[doc(hidden)]
 pub use threads::NODES_A_THREAD;

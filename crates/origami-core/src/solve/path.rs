@@ -77,7 +77,8 @@ mod tests {
             scene: &Scene,
             observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
         ) -> Result<Folded, Failed> {
-            let time_step = if scene.targets.label() > Some(self.beyond) { TimeStep::Fixed(10.0) } else { TimeStep::Safe };
+            let time_step =
+                if scene.targets.label() > Some(self.beyond) { TimeStep::Fixed(10.0) } else { TimeStep::Safe };
             let solver = Dynamics { time_step, steps: Some(200), ..Dynamics::default() };
             solver.fold(model, start, scene, observe)
         }

@@ -10,9 +10,7 @@ use super::perturb::perturb;
 use super::ramp::Ramp;
 use super::stepper::{Limit, Mover, Stepper};
 use super::threads::{count, share};
-use super::{
-    DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, Session, Solver, State, Stop,
-};
+use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, Session, Solver, State, Stop};
 use crate::kernel::Compute;
 use crate::model::{Inventory, Model};
 use crate::scene::{Held, Needs, Refusal, Scene};
@@ -180,7 +178,12 @@ impl Relax {
     pub(super) fn check(&self, model: &Model, scene: &Scene) -> Result<(), Refusal> {
         scene.check(model)?;
         scene.check_balance(model)?;
-        scene.check_forces(model, &[Needs::RowSums], "relax", "`Dynamics` with the paper's or a fixed time step does without")?;
+        scene.check_forces(
+            model,
+            &[Needs::RowSums],
+            "relax",
+            "`Dynamics` with the paper's or a fixed time step does without",
+        )?;
         if self.retries() {
             let instead = "without `retry` it does without";
             scene.check_forces(model, &[Needs::Energy], "relax, which compares attempts,", instead)?;

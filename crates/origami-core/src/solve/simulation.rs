@@ -133,7 +133,10 @@ impl<M: Method> Simulation<M> {
     /// # Errors
     /// [`Failed::Refused`] where the sheet has no such node, [`Failed::Backend`] where what computes gives up.
     pub fn pin(&mut self, node: NodeId) -> Result<Pin, Failed> {
-        Scene::default().with_support(Support::fixed(node)).check(&self.model).map_err(|refusal| self.refused(refusal))?;
+        Scene::default()
+            .with_support(Support::fixed(node))
+            .check(&self.model)
+            .map_err(|refusal| self.refused(refusal))?;
         if !self.pins.contains(&node) {
             self.pins.push(node);
             self.hold()?;

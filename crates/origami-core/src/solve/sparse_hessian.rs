@@ -64,8 +64,9 @@ impl State {
         // Stable: blocks of one pair are added in the order of the springs.
         entries.sort_by_key(|(column, row, _)| (*column, *row));
         let merged = entries.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1));
-        let merged: Vec<(usize, usize, DMat3)> =
-            merged.map(|same| (same[0].0, same[0].1, same.iter().fold(DMat3::ZERO, |sum, entry| sum + entry.2))).collect();
+        let merged: Vec<(usize, usize, DMat3)> = merged
+            .map(|same| (same[0].0, same[0].1, same.iter().fold(DMat3::ZERO, |sum, entry| sum + entry.2)))
+            .collect();
         let mut of_nodes = merged.chunk_by(|a, b| a.0 == b.0).peekable();
         let mut hessian = SparseHessian { starts: vec![0], rows: Vec::new(), values: Vec::new() };
         for node in 0..model.node_count() {

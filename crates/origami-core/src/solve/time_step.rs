@@ -57,12 +57,7 @@ impl Safe {
     }
 
     /// With the forces of one's own that act on `model`. Found by all threads of this thread's pool where it is `shared`.
-    pub(super) fn step(
-        &mut self,
-        shared: bool,
-        (model, own): (&Model, &[Arc<dyn Force>]),
-        positions: &[DVec3],
-    ) -> f64 {
+    pub(super) fn step(&mut self, shared: bool, (model, own): (&Model, &[Arc<dyn Force>]), positions: &[DVec3]) -> f64 {
         all_row_sums(shared, (model, own), positions, &mut self.sums);
         longest(self.sums.iter().fold(0.0, |a: f64, b| a.max(*b)), self.damping)
     }

@@ -73,7 +73,10 @@ mod tests {
             assert!(is(&twin, &decision, &control), "decision {i}: {control:?}");
             if let (fire, Some(last)) = before {
                 let same = (fire, last) == (twin, decision);
-                assert!(same || !is(&fire, &last, &control), "decision {i}: that of the step before is not taken for it");
+                assert!(
+                    same || !is(&fire, &last, &control),
+                    "decision {i}: that of the step before is not taken for it"
+                );
             }
             assert_eq!(control.step as usize, i + 1);
             if i == 24 {

@@ -182,7 +182,9 @@ mod tests {
         let Some(gpu) = gpu() else { return };
         let model = testing::miura();
         let (time_step, start) = (TimeStep::Fixed(0.35), State::at_rest(&model));
-        let fold = |solver: &dyn Solver| solver.fold(&model, &start, &Scene::percent(60.0), &mut unwatched).expect_err("too long");
+        let fold = |solver: &dyn Solver| {
+            solver.fold(&model, &start, &Scene::percent(60.0), &mut unwatched).expect_err("too long")
+        };
         let ours = fold(&PaperDynamics { gpu: gpu.clone(), time_step, steps: 1000 });
         let theirs = fold(&cpu(time_step, 1000));
         let (Failed::Diverged(ours), Failed::Diverged(theirs)) = (ours, theirs) else { panic!("not a divergence") };
@@ -204,7 +206,9 @@ mod tests {
         assert_eq!(folded.state.targets, model.targets(60.0));
         assert!(folded.residual > 0.0);
         let safe = PaperDynamics { gpu, time_step: TimeStep::Safe, steps: 1 };
-        let refused = safe.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched).expect_err("no such step");
+        let refused = safe
+            .fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched)
+            .expect_err("no such step");
         assert!(matches!(refused, Failed::Backend { last_read_step: 0, .. }), "{refused}");
     }
 }

@@ -56,7 +56,8 @@ impl Claims {
     }
 
     fn ask(&mut self, name: &str, solver: &dyn Solver, tolerance: f64, case: &Case, reference: &Equilibrium) {
-        let folded = solver.fold(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent), &mut unwatched);
+        let folded =
+            solver.fold(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent), &mut unwatched);
         let Ok(folded) = folded else { return };
         let (branch, own) = reference::branch(&case.model, &folded.state, reference);
         let distance = reference::error(&folded.state.positions, own.as_ref().unwrap_or(reference)).max;

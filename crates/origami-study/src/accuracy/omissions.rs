@@ -112,7 +112,8 @@ fn least(mut work: impl FnMut()) -> f64 {
 /// How far apart the equilibria of two models of one sheet are at 60 %.
 fn apart(one: &Model, other: &Model) -> Option<f64> {
     let equilibrium = |model: &Model| {
-        let folded = Newton::default().fold(model, &State::at_rest(model), &Scene::percent(60.0), &mut unwatched).ok()?;
+        let folded =
+            Newton::default().fold(model, &State::at_rest(model), &Scene::percent(60.0), &mut unwatched).ok()?;
         folded.converged().then_some(folded.state.positions)
     };
     Some(align(&equilibrium(one)?, &equilibrium(other)?).max)

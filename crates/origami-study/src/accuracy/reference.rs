@@ -1,9 +1,9 @@
 //! What errors are measured against: the equilibrium itself, on the branch that a run is on.
 
-use origami_core::scene::Scene;
-use origami_core::solve::unwatched;
 use origami_core::glam::DVec3;
 use origami_core::measure::align;
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use origami_core::{Model, Newton, Relax, Solver, State};
 
 use super::cases::Case;
@@ -67,7 +67,8 @@ impl Branch {
 /// The equilibrium on the branch that the case's own ramp leads to. `None` where Newton's method does not settle.
 pub(super) fn of(case: &Case) -> Option<Equilibrium> {
     let relax = Relax { ramp: Some(case.ramp), ..Relax::default() };
-    let near = relax.fold(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent), &mut unwatched).ok()?;
+    let near =
+        relax.fold(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent), &mut unwatched).ok()?;
     nearest(&case.model, &near.state, Newton::default().max_factorisations)
 }
 

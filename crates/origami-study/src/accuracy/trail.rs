@@ -1,6 +1,6 @@
 //! The way of a solver towards the equilibrium: its states, with what they cost.
 
-use origami_core::scene::Scene;
+use origami_core::scene::{Scene, Targets};
 use origami_core::solve::unwatched;
 use std::time::Instant;
 
@@ -139,10 +139,17 @@ pub(super) fn of_newton(case: &Case, from: From, deadline: Deadline) -> Trail {
         let reached = match from {
             From::Relax => {
                 let relax = Relax { ramp: Some(case.ramp), ..Relax::default() };
-                let near = relax.fold(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent), &mut unwatched);
+                let near = relax.fold(
+                    &case.model,
+                    &State::at_rest(&case.model),
+                    &Scene::percent(case.percent),
+                    &mut unwatched,
+                );
                 near.and_then(|near| newton.refine(&case.model, &near.state).map(|reached| (reached, near.steps)))
             }
-            From::Rest => newton.climb(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent)).map(|r| (r, 0)),
+            From::Rest => {
+                newton.climb(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent)).map(|r| (r, 0))
+            }
             From::Jump => {
                 let off = State::perturbed(&case.model, newton.perturbation, 0);
                 let jump = State { targets: case.model.targets(case.percent), ..off };
@@ -152,7 +159,7 @@ pub(super) fn of_newton(case: &Case, from: From, deadline: Deadline) -> Trail {
         match reached {
             Ok((reached, before)) => {
                 let folded = Folded {
-                    percent: case.percent,
+                    targets: Targets::percent(case.percent),
                     stop: if reached.converged { Stop::Converged } else { Stop::StepLimit },
                     steps: before + reached.evaluations,
                     time_step: 1.0,
@@ -160,6 +167,7 @@ pub(super) fn of_newton(case: &Case, from: From, deadline: Deadline) -> Trail {
                     distance: reached.distance,
                     attempts: 1,
                     state: reached.state,
+                    reactions: reached.reactions,
                 };
                 let seconds = began.elapsed().as_secs_f64();
                 let look = look(&folded, folded.steps, seconds);

@@ -1,8 +1,8 @@
 //! The motion itself: error of `dynamics` after a fixed time against a far shorter step, and its order of convergence.
 
+use origami_core::generate::{self, SingleCrease};
 use origami_core::scene::Scene;
 use origami_core::solve::unwatched;
-use origami_core::generate::{self, SingleCrease};
 use origami_core::solve::{Integrator, TimeStep, time_step};
 use origami_core::{Dynamics, Error, Material, Model, Solver, State};
 

@@ -2,6 +2,7 @@
 
 use origami_core::scene::Scene;
 use origami_core::solve::unwatched;
+use origami_core::twins::safe_time_step::SAFE_SHARE;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use origami_core::solve::{Failed, Integrator, time_step};
@@ -65,7 +66,7 @@ impl Limit {
     }
 
     pub(super) fn find(model: &Model, state: &State, integrator: Integrator, effort: Effort) -> Self {
-        let bound = time_step::safe(model, &state.positions, integrator) / time_step::SAFE_SHARE;
+        let bound = time_step::safe(model, &state.positions, integrator) / SAFE_SHARE;
         Self { bound, largest: largest(model, state, integrator, bound, effort) }
     }
 }

@@ -7,11 +7,11 @@
 //! the limit the energy that one sees of it may swing by 400 at half a percent off: both are told apart to half a percent.
 //! Each trial begins with the shape that grew in the trial before, and with something of all shapes.
 
-use origami_core::scene::Scene;
-use origami_core::solve::unwatched;
 use origami_core::forces::Forces;
 use origami_core::glam::DVec3;
 use origami_core::model::DEGENERATE;
+use origami_core::scene::Scene;
+use origami_core::solve::unwatched;
 use origami_core::solve::{Integrator, TimeStep};
 use origami_core::{Dynamics, Model, Solver, State};
 
@@ -118,7 +118,9 @@ impl<'m> Vibration<'m> {
             *v = (*way + *noise * MIXED) * (self.small / dt);
         }
         let at_first = self.energy(&state);
-        let half = |state: &State| solver.fold(self.model, state, &Scene::percent(100.0), &mut unwatched).ok().map(|f| f.state);
+        let half = |state: &State| {
+            solver.fold(self.model, state, &Scene::percent(100.0), &mut unwatched).ok().map(|f| f.state)
+        };
         let Some(middle) = half(&state) else { return true };
         let Some(end) = half(&middle) else { return true };
         let (in_the_middle, at_the_end) = (self.energy(&middle), self.energy(&end));

@@ -102,9 +102,10 @@ pub(super) fn kept_energy(model: &Model, state: &State, dt: f64, integrator: Int
     let mut fold_angles = state.fold_angles.clone();
     let mut forces = Forces::new(model);
     let forces = forces.evaluate(&state.positions, &state.targets, &mut fold_angles).iter();
-    let correction = match integrator {
-        Integrator::Euler => 0.5 * dt * forces.zip(&state.velocities).map(|(f, v)| f.dot(*v)).sum::<f64>(),
-        Integrator::Verlet => -0.125 * dt * dt * forces.map(|f| f.length_squared()).sum::<f64>(),
+    let correction = if integrator == Integrator::Verlet {
+        -0.125 * dt * dt * forces.map(|f| f.length_squared()).sum::<f64>()
+    } else {
+        0.5 * dt * forces.zip(&state.velocities).map(|(f, v)| f.dot(*v)).sum::<f64>()
     };
     energy(model, state) + correction
 }

@@ -1,5 +1,7 @@
 //! One input: read, build, solve, write.
 
+use std::ops::ControlFlow;
+
 use origami::error::WarningCode;
 use origami::export::Template;
 use origami::model::Model;
@@ -75,6 +77,7 @@ fn attempt(
     let scene = Scene::new(&pattern, &model, &place.solver.inventory(&model), &warnings);
     let solved = fold_path(&model, place.solver.as_ref(), &settings.percents, &mut |stage, progress| {
         observe(Seen::Stage(stage, progress));
+        ControlFlow::Continue(())
     });
     seconds.solve = watch.lap();
     let on_gpu = place.adapter.is_some();

@@ -7,7 +7,7 @@ use origami::solve::Folded;
 
 use crate::args::SolverName;
 use crate::files::Input;
-use crate::numbers::{count, duration, grouped, plain, share, short};
+use crate::numbers::{count, duration, grouped, percent_of, plain, share, short};
 use crate::report::{Ending, Run};
 
 /// What a person is told about one input.
@@ -60,7 +60,7 @@ pub(super) fn not_converged(input: &Input, folded: &Folded, solver: SolverName, 
         return format!(
             "{input}: not converged at {} % after {} steps: the largest force is {}; the output says so; \
              a larger --residual or more --max-steps may help",
-            plain(folded.percent),
+            plain(percent_of(folded)),
             grouped(folded.steps),
             short(folded.residual),
         );
@@ -72,7 +72,7 @@ pub(super) fn not_converged(input: &Input, folded: &Folded, solver: SolverName, 
     format!(
         "{input}: not converged at {} % after {} steps: {distance}, expected {}; the output says so; \
          more --max-steps or a larger --tolerance may help",
-        plain(folded.percent),
+        plain(percent_of(folded)),
         grouped(folded.steps),
         short(tolerance),
     )

@@ -1,5 +1,7 @@
 //! So many sheets at once as memory holds.
 
+use std::ops::ControlFlow;
+
 use origami::export::Template;
 use origami::model::{Inventory, Model};
 use origami::solve::{Failed, Folded, Instance, Point, Solver, Sweep};
@@ -75,6 +77,7 @@ impl Work<'_> {
         let begun = done.rows.len();
         let observe = |i: usize, progress: origami::solve::Progress| {
             self.line.show_sheets(shares.advance(begun + i, progress.ramp));
+            ControlFlow::Continue(())
         };
         let folded = self.solver.fold_all(&instances, &observe);
         seconds.solve += watch.lap();

@@ -186,11 +186,9 @@ fn add(values: &mut [f64], neighbours: usize, at: usize, block: &DMat3) {
 /// A block without the rows and columns that are held.
 fn free(guided: &[(usize, Axes)], row: usize, column: usize, block: DMat3) -> DMat3 {
     let axes = |node: usize| guided.iter().find(|(own, _)| *own == node).map(|(_, axes)| *axes);
-    let block = axes(row).map_or(block, |axes| DMat3::from_cols(
-        axes.without(block.x_axis),
-        axes.without(block.y_axis),
-        axes.without(block.z_axis),
-    ));
+    let block = axes(row).map_or(block, |axes| {
+        DMat3::from_cols(axes.without(block.x_axis), axes.without(block.y_axis), axes.without(block.z_axis))
+    });
     axes(column).map_or(block, |axes| {
         let kept = |held: bool, column: DVec3| if held { DVec3::ZERO } else { column };
         DMat3::from_cols(kept(axes.x, block.x_axis), kept(axes.y, block.y_axis), kept(axes.z, block.z_axis))

@@ -301,7 +301,8 @@ pub struct OutOfMemory {
 fn descent<'m>(model: &'m Model, start: &State, scene: &Scene) -> Result<Descent<'m>, Failed> {
     let needs = [Needs::Energy, Needs::Hessian];
     let checked = scene.check(model).and_then(|()| scene.check_balance(model));
-    let checked = checked.and_then(|()| scene.check_forces(model, &needs, "newton", "`Relax` and `Dynamics` do without"));
+    let checked =
+        checked.and_then(|()| scene.check_forces(model, &needs, "newton", "`Relax` and `Dynamics` do without"));
     checked.map_err(|refusal| Failed::refused(refusal, start))?;
     if let Some(node) = start.positions.iter().position(|p| !p.is_finite()) {
         let place = (NodeId::new(node), start.positions[node], DVec3::ZERO);

@@ -129,5 +129,6 @@ fn word(folded: &Folded) -> &'static str {
         Stop::Converged => "converged",
         Stop::StepsDone => "steps done",
         Stop::StepLimit => "step limit",
+        _ => "stopped",
     }
 }

@@ -1,8 +1,8 @@
 //! Pictures of folded sheets, drawn without a GPU.
 //!
 //! A [`Scene`] says what there is (triangles, lines, values for a map), a [`Camera`] from where it is seen and a [`Theme`]
-//! in which colours: plain data, from which any renderer may draw. The one here is a small rasteriser on the processor;
-//! equal input gives equal bits, whatever the number of threads.
+//! in which colours: plain data, from which any renderer may draw. The one here is a small rasteriser on the CPU; equal input
+//! gives equal bits, whatever the number of threads.
 //!
 //! ```
 //! use origami_core::{Material, Model, Relax, generate::BirdBase};
@@ -14,8 +14,21 @@
 //! let scene = Scene::new(&pattern, &model, &folded.state.positions);
 //! let mut png = Vec::new();
 //! Picture { width: 400, height: 300, ..Picture::default() }.draw(&scene)?.write_png(&mut png)?;
+//! assert!(png.starts_with(b"\x89PNG"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! | to make | take |
+//! |---|---|
+//! | a picture of a folded sheet | [`Scene`] and [`Picture`] |
+//! | a map of strain, angle errors or energy | [`Map`], with a [`Quantity`] and a [`ColourMap`] |
+//! | a crease pattern as it lies, or as SVG | [`pattern`] |
+//! | several states in one picture | [`contact_sheet`] |
+//! | a film as APNG, GIF or numbered PNG | [`Animation`] |
+//! | a file for viewers, the folding as morph targets | [`Glb`] |
+//!
+//! Layers that lie on each other are drawn in an order that is found from the folded state ([`layers`]). `gpu::render` of the
+//! facade `origami` draws the same scenes on a GPU.
 #![forbid(unsafe_code)]
 
 pub mod animation;

@@ -7,7 +7,7 @@ use origami::generate::catalog;
 use origami::gpu::render::GpuRenderer;
 use origami::gpu::{AdapterChoice, Gpu};
 use origami::picture::{Figure, Picture, Processor, Renderer};
-use origami::{Material, Model, Relax};
+use origami::{Material, Model, Relax, Solver};
 
 /// A pattern folded in part, with parameters by name.
 fn figure(name: &str, settings: &[(&str, f64)], percent: f64, steps: Option<u64>) -> Figure {

@@ -2,7 +2,7 @@
 #![expect(clippy::print_stdout, reason = "an example prints what it found")]
 
 use origami::export::{Pose, folded_form, write_obj, write_whole};
-use origami::{CreasePattern, Material, Model, Relax, fold::Document, measure::Strain};
+use origami::{CreasePattern, Material, Model, Relax, Solver, fold::Document, measure::Strain};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let document = Document::read("examples/patterns/bird-base.fold")?;

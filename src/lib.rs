@@ -1,30 +1,64 @@
-//! Folds origami crease patterns: the bar-and-hinge method of Ghassaei, Demaine and Gershenfeld (2018), with the truth
-//! about convergence and error.
+//! Folds origami crease patterns by the bar-and-hinge method of Ghassaei, Demaine and Gershenfeld (2018), with an error
+//! estimate on every result.
+//!
+//! A sheet is a mesh of triangles: their sides are *beams* that resist stretching, the sides between two triangles are
+//! *creases* with a spring towards a target angle, and the corners of triangles resist shear. The folded sheet is an
+//! equilibrium of these springs.
 //!
 //! ```
-//! use origami::{Material, Model, Relax, generate::BirdBase};
+//! use origami::{CreasePattern, Material, Model, Relax, Solver, fold::Document, measure::Strain};
 //!
-//! let pattern = BirdBase::default().pattern()?;
+//! let document = Document::read("examples/patterns/bird-base.fold")?;
+//! let pattern = CreasePattern::from_document(&document, document.pattern_frame()?)?;
 //! let model = Model::new(&pattern, &Material::default())?;
 //! let folded = Relax::default().fold_from_rest(&model, 90.0)?;
-//! assert!(folded.converged());
+//! assert!(folded.converged() && folded.distance < 1e-4);
+//! let strain = Strain::of(&model, &folded.state.positions).beams;
+//! assert!(strain.max < 0.002, "the longest and the shortest beam are within 0.2 % of their lengths at rest");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! `examples/embed.rs` does the same from file to file. Data flows one way: a FOLD [`Document`](fold::Document) becomes a
-//! [`CreasePattern`], its [`Model`] the triangulated sheet with its springs; a [`Solver`] ([`Relax`] unless the motion
-//! itself is wanted, then [`Dynamics`]) folds it; [`measure`] says how strained it is and [`export`] writes it.
+//! Without a file, [`generate`] makes patterns from parameters. `examples/embed.rs` goes from file to file.
 //!
-//! With the feature `gpu` (off by default) the module `gpu` computes both solvers on a graphics card: `Gpu::open` takes an
-//! adapter, and `gpu.with(Relax::default())` is a [`Solver`] like any other.
+//! # From a file to numbers
 //!
-//! With the feature `render` (off by default) the module `picture` draws folded sheets on the processor, and with both
-//! features `gpu::render` draws the same pictures on a graphics card.
+//! Data flows one way:
 //!
-//! With the feature `study` (off by default) the module `study` finds out how far the solvers can be trusted.
+//! | step | what it is |
+//! |---|---|
+//! | [`fold::Document`] | a FOLD file as written |
+//! | [`CreasePattern`] | what it means: letters, fold angles, faces; its [`warnings`](CreasePattern::warnings) tell what was put right |
+//! | [`Model`] | the triangulated sheet with its springs, made of a pattern and a [`Material`] |
+//! | [`Solver`] | what folds it: [`Relax`] straight to the folded state, [`Dynamics`] through the motion, `Newton` (feature `newton`) to the equilibrium itself |
+//! | [`Folded`] | the [`State`] reached, why the solver stopped, how far it is from the equilibrium |
+//! | [`measure`] | strain, angle errors, distance between states, scenes that are known to go wrong |
+//! | [`export`] | FOLD, OBJ and STL files, written whole or not at all |
 //!
-//! This crate is a facade: everything is `origami_core`'s, and `origami_gpu`'s in `gpu`. Errors name the place in the file ([`Error`]); what was odd but
-//! could be put right is among the pattern's [`warnings`](CreasePattern::warnings). Equal input gives equal bits.
+//! # Units
+//!
+//! Positions in files are in the file's unit of length. The model is scaled to radius 1, the distance of its farthest vertex
+//! from the centre of its bounding box: distances, tolerances, forces and energies are in that unit
+//! ([`model::Normalisation`] goes back). Angles are in radians here and in degrees in files. Percentages are of the file's
+//! fold angles.
+//!
+//! # What can be relied on
+//!
+//! Equal input gives equal bits, whatever the number of threads. Errors name the place in the file ([`Error`]). No input
+//! makes the library panic. Nothing is printed.
+//!
+//! # Features
+//!
+//! All are off by default.
+//!
+//! | feature | what it adds |
+//! |---|---|
+//! | `gpu` | the module `gpu`: the same solvers through wgpu; `gpu.with(Relax::default())` is a [`Solver`] like any other |
+//! | `render` | the module `picture`: pictures and films on the CPU; with `gpu` also `gpu::render` |
+//! | `newton` | `Newton`: equilibria to a residual of 1e-10, the reference that errors are measured against |
+//! | `study` | the module `study`: error against run time, and what holds on stiff and extreme scenes |
+//!
+//! This crate is a facade: everything is re-exported from `origami_core`, `origami_gpu`, `origami_picture` and
+//! `origami_study`.
 pub use origami_core::*;
 /// The solvers on a GPU, through wgpu.
 #[cfg(feature = "gpu")]

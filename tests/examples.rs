@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use origami::export::{crease_pattern_document, write_whole};
 use origami::generate::catalog;
-use origami::{CreasePattern, Material, Model, Relax};
+use origami::{CreasePattern, Material, Model, Relax, Solver};
 
 /// Parameters that are not the defaults: rings at rest are the more telling with springs along their edges.
 const PARAMETERS: [(&str, &[(&str, f64)]); 2] =

@@ -6,7 +6,7 @@ use common::Springs;
 use origami::forces::{Forces, creases, hessian};
 use origami::generate::catalog;
 use origami::glam::{DMat3, DQuat, DVec3};
-use origami::{Material, Model, Relax};
+use origami::{Material, Model, Relax, Solver};
 use proptest::prelude::*;
 
 /// The whole Hessian, blocks by row and column of nodes.

@@ -1,5 +1,19 @@
-//! The WGSL compute shaders of origami as text, one kernel or one part of several kernels a file. `README.md` lists the
-//! buffers that they work on.
+//! The WGSL compute shaders of origami as text, one kernel or one part of several kernels a file.
+//!
+//! A kernel is [`STATE`], the parts that its scene needs and its own file, one after the other; what a scene does without is in
+//! no text. `origami_gpu` puts them together and gives the constants that the files declare with `override` their values.
+//! `README.md` lists the buffers that they work on.
+//!
+//! ```
+//! use origami_shaders::{ANGLE, paper};
+//!
+//! // The second of the paper's five passes: the fold angle of each crease.
+//! let source = [paper::SHEET, ANGLE, paper::FOLD_ANGLES].concat();
+//! assert_eq!(source.matches("@compute").count(), 1);
+//! ```
+//!
+//! [`ALL`] has the name and text of every file of the pipeline, [`paper::ALL`] those of the paper's passes; with the feature
+//! `render` there are those of pictures too.
 #![forbid(unsafe_code)]
 
 /// Makes a constant of each file, by its name in capitals.

@@ -1,7 +1,50 @@
-//! Bar-and-hinge origami simulation on the CPU.
+//! Bar-and-hinge origami simulation on the CPU, after Ghassaei, Demaine and Gershenfeld (2018): FOLD files, crease patterns,
+//! springs, solvers and measures. Programs that want a GPU or pictures too depend on the facade `origami`, which re-exports
+//! this crate.
 //!
-//! Data flows one way: [`fold`] document → [`pattern::CreasePattern`] → [`mesh::Mesh`] → [`model::Model`] →
-//! [`solve`] → [`measure`] → [`export`]. [`generate`] makes patterns without a file.
+//! ```
+//! use origami_core::{CreasePattern, Material, Model, Relax, fold::Document, measure::Strain};
+//!
+//! // A square with a vertex in the middle, to be folded in four: three valleys and a mountain.
+//! let document = Document::from_slice(
+//!     br#"{
+//!         "vertices_coords": [[0,0], [1,0], [2,0], [2,1], [2,2], [1,2], [0,2], [0,1], [1,1]],
+//!         "edges_vertices": [[0,1], [1,2], [2,3], [3,4], [4,5], [5,6], [6,7], [7,0], [8,1], [8,3], [8,5], [8,7]],
+//!         "edges_assignment": ["B", "B", "B", "B", "B", "B", "B", "B", "V", "V", "M", "V"]
+//!     }"#,
+//! )?;
+//! let pattern = CreasePattern::from_document(&document, document.pattern_frame()?)?;
+//! assert_eq!(pattern.faces.len(), 4, "the file has no faces, they were found");
+//!
+//! let model = Model::new(&pattern, &Material::default())?;
+//! let folded = Relax::default().fold_from_rest(&model, 100.0)?;
+//! assert!(folded.converged());
+//! assert!(Strain::of(&model, &folded.state.positions).beams.max < 1e-6, "it folds flat without being stretched");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Modules
+//!
+//! Data flows one way, from top to bottom; no step changes what an earlier one made.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`fold`] | FOLD documents as written |
+//! | [`generate`] | patterns from parameters, and closed forms |
+//! | [`pattern`] | [`CreasePattern`]: letters, fold angles and faces, with warnings of what was put right |
+//! | [`mesh`] | the faces cut into triangles: topology without positions |
+//! | [`model`] | [`Model`]: beams, creases and corner angles, scaled to radius 1, with a [`Material`] |
+//! | [`forces`] | the formulas: energies, forces and second derivatives, one kind of spring a file |
+//! | [`solve`] | the trait [`Solver`]; [`Relax`], [`Dynamics`] and `Newton`; many sheets at once |
+//! | [`measure`] | strain, angle errors, distance between states, dangers |
+//! | [`export`] | FOLD, OBJ and STL |
+//! | [`error`], [`ids`] | errors and warnings that name a place; typed indices |
+//!
+//! Lengths are in radii of the sheet, angles in radians, masses are 1. `docs/METHOD.md` in the repository has all formulas.
+//!
+//! # Features
+//!
+//! `newton` (off by default) adds `Newton`, the reference solver, and with it faer for sparse factorisations.
 #![forbid(unsafe_code)]
 
 pub mod csr;

@@ -9,7 +9,7 @@ use origami_core::fold::Document;
 use origami_core::generate::{Hypar, SingleCrease};
 use origami_core::ids::{EdgeId, FaceId, VertexId};
 use origami_core::measure::{scene_warnings, single_precision, strained_at_rest};
-use origami_core::{CreasePattern, Error, Material, Model, Relax, Warning};
+use origami_core::{CreasePattern, Error, Material, Model, Relax, Solver, Warning};
 
 fn broken(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/broken").join(name).with_extension("fold")

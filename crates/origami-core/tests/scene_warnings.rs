@@ -4,7 +4,7 @@ use origami_core::error::Place;
 use origami_core::generate::catalog;
 use origami_core::measure::{scene_warnings, single_precision, strained_at_rest};
 use origami_core::solve::DEFAULT_TOLERANCE;
-use origami_core::{Material, Model, Relax};
+use origami_core::{Material, Model, Relax, Solver};
 
 fn model(name: &str) -> Model {
     let pattern = catalog::generate(name, &[]).expect(name);

@@ -5,7 +5,7 @@
 //! equal input gives equal bits, whatever the number of threads. The feature `render` of `origami-gpu` has another.
 //!
 //! ```
-//! use origami_core::{Material, Model, Relax, generate::BirdBase};
+//! use origami_core::{Material, Model, Relax, Solver, generate::BirdBase};
 //! use origami_picture::{Figure, Picture, Processor, Renderer};
 //!
 //! let pattern = BirdBase::default().pattern()?;
@@ -15,8 +15,21 @@
 //! let mut png = Vec::new();
 //! let picture = Picture { width: 400, height: 300, ..Picture::default() };
 //! Processor.draw(&picture, &figure)?.write_png(&mut png)?;
+//! assert!(png.starts_with(b"\x89PNG"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! | to make | take |
+//! |---|---|
+//! | a picture of a folded sheet | [`Figure`] and [`Picture`] |
+//! | a map of strain, angle errors or energy | [`Map`], with a [`Quantity`] and a [`ColourMap`] |
+//! | a crease pattern as it lies, or as SVG | [`pattern`] |
+//! | several states in one picture | [`contact_sheet`] |
+//! | a film as APNG, GIF or numbered PNG | [`Animation`] |
+//! | a file for viewers, the folding as morph targets | [`Glb`] |
+//!
+//! Layers that lie on each other are drawn in an order that is found from the folded state ([`layers`]). `gpu::render` of the
+//! facade `origami` draws the same figures on a GPU.
 #![forbid(unsafe_code)]
 
 pub mod animation;

@@ -1,7 +1,7 @@
 //! What every picture must keep to, whatever it shows.
 
 use origami_core::generate::catalog;
-use origami_core::{Material, Model, Relax};
+use origami_core::{Material, Model, Relax, Solver};
 use origami_picture::layers::Layer;
 use origami_picture::{
     Camera, Figure, Image, Line, LineKind, LineSet, Picture, Processor, Projection, Renderer, Rgb, Theme,

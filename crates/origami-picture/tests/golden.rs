@@ -4,7 +4,7 @@
 mod support;
 
 use origami_core::generate::catalog;
-use origami_core::{CreasePattern, Material, Model, Relax, State};
+use origami_core::{CreasePattern, Material, Model, Relax, Solver, State};
 use origami_picture::{
     Camera, ColourMap, Figure, Image, LineKind, LineSet, Map, Picture, Processor, Projection, Quantity, Renderer,
     Theme, contact_sheet,

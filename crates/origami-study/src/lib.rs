@@ -1,7 +1,26 @@
 //! Studies of the solvers: error against run time, and what holds on stiff and extreme cases.
 //!
 //! A study runs cases and collects its rows in a [`Study`]: tables, plots and the text between them, which
-//! [`Study::write`] makes files of.
+//! [`Study::write`] makes files of (CSV, JSON, SVG, Markdown). [`accuracy::study`] measures the distance of each solver from
+//! the equilibrium against the time that it took; [`stability::study`] finds the longest time step that holds and compares
+//! what each solver claims with a reference.
+//!
+//! ```no_run
+//! use origami_core::generate::BirdBase;
+//! use origami_study::{Options, accuracy};
+//!
+//! let pattern = BirdBase::default().pattern()?;
+//! let options = Options { patterns: vec![("bird-base".into(), pattern)], quick: true, ..Options::default() };
+//! // `()` watches nothing; a `Watch` of one's own can show how far it has come.
+//! let study = accuracy::study(&options, &mut ())?;
+//! for file in study.write("out".as_ref())? {
+//!     println!("{}", file.display());
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`Table`] and [`Plot`] stand on their own: a table is written as CSV, JSON or Markdown, a plot as SVG without fonts or
+//! bitmaps.
 #![forbid(unsafe_code)]
 
 pub mod accuracy;

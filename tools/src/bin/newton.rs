@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use origami::generate::{catalog, miura};
 use origami::measure::align;
-use origami::{CreasePattern, Error, Material, Model, Newton, Relax, State};
+use origami::{CreasePattern, Error, Material, Model, Newton, Relax, Solver, State};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let ea = std::env::args().nth(1).map_or(Ok(Material::default().ea), |text| text.parse())?;

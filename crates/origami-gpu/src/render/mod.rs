@@ -10,7 +10,7 @@
 //! ```no_run
 //! use origami_gpu::render::GpuRenderer;
 //! use origami_gpu::{AdapterChoice, Gpu};
-//! # use origami_core::{Material, Model, Relax, generate::BirdBase};
+//! # use origami_core::{Material, Model, Relax, Solver, generate::BirdBase};
 //! use origami_picture::{Figure, Picture, Renderer};
 //!
 //! # let pattern = BirdBase::default().pattern()?;

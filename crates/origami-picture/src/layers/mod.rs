@@ -68,7 +68,7 @@ pub fn stack(model: &Model, positions: &[DVec3]) -> Stack {
 mod tests {
     use super::*;
     use origami_core::generate::{BirdBase, SingleCrease, SquareTwist};
-    use origami_core::{CreasePattern, Material, Relax};
+    use origami_core::{CreasePattern, Material, Relax, Solver};
 
     fn folded(pattern: &CreasePattern, percent: f64) -> (Model, Vec<DVec3>) {
         let model = Model::new(pattern, &Material::default()).unwrap();

@@ -94,7 +94,7 @@ fn energy_densities(model: &Model, state: &State) -> Vec<f64> {
 mod tests {
     use super::*;
     use origami_core::generate::catalog;
-    use origami_core::{Material, Relax};
+    use origami_core::{Material, Relax, Solver};
 
     #[test]
     fn triangles_share_all_the_energy_there_is() {

@@ -4,6 +4,7 @@ use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
 use super::clock::Clock;
+use super::integrator::Integrator;
 use super::ramp::Ramp;
 use super::stepper::{Limit, Mover, Stepper};
 use super::threads::{count, share};
@@ -11,17 +12,6 @@ use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Pro
 use crate::kernel::Compute;
 use crate::model::{Inventory, Model};
 use crate::scene::{Needs, Refusal, Scene};
-
-/// How [`Dynamics`] steps through time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub enum Integrator {
-    /// `v += dt a(x, v)`, then `x += dt v`: what the paper calls explicit Euler is the semi-implicit one. First order.
-    Euler,
-    /// Velocity Verlet, with the damping at a velocity extrapolated to the same instant. Second order.
-    Verlet,
-}
 
 /// The paper's scheme, for fidelity and transients. It converges slowly: its damping hardly touches slow global motion.
 /// For the folded state take [`super::Relax`].

@@ -16,6 +16,8 @@ mod ensemble;
 mod failed;
 mod fire;
 mod guard;
+mod integrator;
+mod largest;
 #[cfg(feature = "newton")]
 pub mod newton;
 mod path;
@@ -38,11 +40,12 @@ mod threads;
 pub mod time_step;
 
 pub use driver::{Folded, Progress, Solver, Stop, unwatched};
-pub use dynamics::{Dynamics, Integrator};
+pub use dynamics::Dynamics;
 pub use engine::{CpuEngine, Engine, Method, Report};
 pub use ensemble::Instance;
 pub use failed::Failed;
 pub use guard::{Diverged, Quantity};
+pub use integrator::Integrator;
 #[cfg(feature = "newton")]
 pub use newton::Newton;
 pub use path::{PathFailed, fold_path, frame_percents};
@@ -59,8 +62,6 @@ pub use sweep::{Point, Sweep};
 pub use threads::NODES_A_THREAD;
 pub use time_step::TimeStep;
 
-use glam::DVec3;
-
 /// A fold angle past this many degrees means that layers have gone through each other and the state is tangled.
 pub const TANGLED_DEGREES: f64 = 200.0;
 
@@ -72,8 +73,3 @@ pub const DEFAULT_TOLERANCE: f64 = 1e-4;
 
 /// Force evaluations between two reports of progress.
 const REPORT: u64 = 50;
-
-/// The largest force, in the model's unit of force.
-fn largest(forces: &[DVec3]) -> f64 {
-    forces.iter().map(|f| f.length()).fold(0.0, f64::max)
-}

@@ -63,6 +63,16 @@ impl State {
         state
     }
 
+    /// The same with its nodes at other `positions` (in radii, by node); fold angles follow without a jump of whole turns.
+    ///
+    /// # Panics
+    /// If there are not as many positions as nodes.
+    #[must_use]
+    pub fn moved_to(&self, model: &Model, positions: Vec<DVec3>) -> Self {
+        assert_eq!(positions.len(), model.node_count(), "one position for each node");
+        Self { fold_angles: creases::fold_angles(model, &positions, &self.fold_angles), positions, ..self.clone() }
+    }
+
     /// Energy by kind of spring.
     #[must_use]
     pub fn energy(&self, model: &Model) -> Energy {

@@ -11,7 +11,8 @@ use super::rigid::Rigid;
 use crate::forces::Forces;
 use crate::model::Model;
 use crate::scene::{Reaction, Scene};
-use crate::solve::{State, largest};
+use crate::solve::State;
+use crate::solve::largest::largest;
 
 /// Shifts are shares of each node's row sum. The first one ...
 const FIRST: f64 = 1e-6;

@@ -34,7 +34,7 @@ fn pictures(criterion: &mut Criterion) {
         for samples in [4, 16] {
             let picture = Picture { samples, ..Picture::default() };
             group.bench_function(format!("processor, {samples} samples"), |b| {
-                b.iter(|| Processor.draw(&picture, &figure))
+                b.iter(|| Processor.draw(&picture, &figure));
             });
             if let Some(renderer) = &renderer {
                 group

@@ -9,6 +9,8 @@ mod contact;
 #[cfg(feature = "render")]
 mod film;
 #[cfg(feature = "render")]
+mod formats;
+#[cfg(feature = "render")]
 mod limits;
 #[cfg(feature = "render")]
 mod still;
@@ -21,8 +23,8 @@ pub(crate) use absent::*;
 pub(crate) use {
     artist::Artist,
     film::film,
+    formats::{pattern, sheet},
     limits::{check_contact, check_film},
-    still::{pattern, sheet},
     style::Style,
 };
 

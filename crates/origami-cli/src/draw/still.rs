@@ -5,50 +5,13 @@ use std::io::Write;
 use origami::picture::{Figure, Glb, Image, Picture};
 use origami::{CreasePattern, Error};
 
-use super::contact::contact;
 use super::{Artist, Subject};
-use crate::files::Format;
 
 /// Pixels of a picture of its own.
 const SIZE: [u32; 2] = [1000, 800];
 
-/// Draws a folded sheet: its last state as PNG, all of them as glTF (so many a second) or on a contact sheet.
-///
-/// # Errors
-/// [`Error::Invalid`] for a format that draws no folded sheet, and whatever drawing and writing say.
-pub(crate) fn sheet(
-    format: Format,
-    artist: &Artist,
-    subject: Subject<'_>,
-    fps: Option<u16>,
-    writer: &mut dyn Write,
-) -> Result<(), Error> {
-    match format {
-        Format::Png => png(artist, subject, writer),
-        Format::Glb => glb(artist, subject, fps, writer),
-        Format::Contact => contact(artist, subject, writer),
-        _ => Err(Error::invalid("format", "draws no folded sheet", "PNG, glTF or a contact sheet")),
-    }
-}
-
-/// Draws the flat crease pattern, as SVG or else as PNG.
-///
-/// # Errors
-/// [`Error::Invalid`] for a pattern that is not flat, and whatever drawing and writing say.
-pub(crate) fn pattern(
-    format: Format,
-    artist: &Artist,
-    pattern: &CreasePattern,
-    writer: &mut dyn Write,
-) -> Result<(), Error> {
-    match format {
-        Format::Svg => svg(artist, pattern, writer),
-        _ => draw_pattern(artist, pattern, &artist.style.pattern(SIZE))?.write_png(writer),
-    }
-}
-
 /// The last state as PNG.
-fn png(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
+pub(super) fn png(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
     let Some(figure) = last(artist, subject) else { return Ok(()) };
     let picture = artist.style.picture(SIZE);
     let view = picture.view(&figure, figure.positions.iter().copied())?;
@@ -73,8 +36,13 @@ pub(super) fn draw_pattern(artist: &Artist, pattern: &CreasePattern, picture: &P
     artist.draw(picture, &figure, &view)
 }
 
+/// The flat pattern as PNG.
+pub(super) fn pattern_png(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Write) -> Result<(), Error> {
+    draw_pattern(artist, pattern, &artist.style.pattern(SIZE))?.write_png(writer)
+}
+
 /// The flat pattern as SVG.
-fn svg(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Write) -> Result<(), Error> {
+pub(super) fn svg(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Write) -> Result<(), Error> {
     refuse_bent(pattern)?;
     let Picture { theme, edges, width, height, .. } = artist.style.pattern(SIZE);
     let svg = origami::picture::pattern::svg(pattern, &theme, edges, f64::from(width.max(height)));
@@ -93,7 +61,12 @@ fn refuse_bent(pattern: &CreasePattern) -> Result<(), Error> {
 }
 
 /// Binary glTF that goes through all states.
-fn glb(artist: &Artist, subject: Subject<'_>, fps: Option<u16>, writer: &mut dyn Write) -> Result<(), Error> {
+pub(super) fn glb(
+    artist: &Artist,
+    subject: Subject<'_>,
+    fps: Option<u16>,
+    writer: &mut dyn Write,
+) -> Result<(), Error> {
     let Some(figure) = last(artist, subject) else { return Ok(()) };
     let Picture { theme, edges, .. } = artist.style.picture(SIZE);
     let positions = |(_, state): &(f64, &origami::State)| -> Vec<[f32; 3]> {

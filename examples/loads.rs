@@ -20,7 +20,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
 
     // One corner is fixed, the others stand on the table or slide along one axis: the sheet can still breathe.
-    let [fixed, along_x, standing, also_standing] = [(-9.0, -9.0), (9.0, -9.0), (9.0, 9.0), (-9.0, 9.0)].map(|(x, y)| nearest(x, y));
+    let [fixed, along_x, standing, also_standing] =
+        [(-9.0, -9.0), (9.0, -9.0), (9.0, 9.0), (-9.0, 9.0)].map(|(x, y)| nearest(x, y));
     let (middle, weight) = (nearest(0.0, 0.0), -1e-3 * DVec3::Z);
     let scene = Scene::percent(40.0)
         .with_support(Support::fixed(fixed))

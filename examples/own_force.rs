@@ -53,7 +53,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for stiffness in [0.001, 0.01, 0.1] {
         let scene = Scene::percent(60.0).with_force(Table { stiffness });
         let folded = Relax::default().fold(&model, &rest, &scene, &mut unwatched)?;
-        println!("table of stiffness {stiffness}: converged: {}, {:.3} high", folded.converged(), height(&folded.state));
+        println!(
+            "table of stiffness {stiffness}: converged: {}, {:.3} high",
+            folded.converged(),
+            height(&folded.state)
+        );
     }
 
     // Dynamics needs forces and nothing else; a relaxation says what it misses.

@@ -62,7 +62,7 @@ fn bytes<R: Compute>(kernel: &Kernel<R>) -> usize {
     let edges = of(positions) + of(&sheet.hinges) + of(&sheet.stiffness) + of(&kernel.targets) + 3 * of(&kernel.angles);
     let read = of(positions) + of(velocities) + of(&sheet.corners) + of(&sheet.creases) + of(&kernel.angles);
     let springs = of(&sheet.beams) + of(&sheet.damping) + of(&sheet.angles);
-    let nodes = of(&sheet.rows) + of(&sheet.slots) + 2 * of(positions) + 2 * of(velocities);
+    let nodes = of(sheet.slots.starts()) + of(sheet.slots.items()) + 2 * of(positions) + 2 * of(velocities);
     edges + read + springs + 2 * of(&kernel.slots) + nodes
 }
 

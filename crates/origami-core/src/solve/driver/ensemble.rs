@@ -2,10 +2,11 @@
 
 use std::ops::ControlFlow;
 
-use super::{Failed, Folded, Progress, Solver, State};
+use super::{Folded, Progress, Solver};
 use crate::model::Model;
 use crate::parallel;
 use crate::scene::Scene;
+use crate::solve::{Failed, State};
 
 /// One sheet of an ensemble.
 #[derive(Clone, Debug)]

@@ -2,9 +2,10 @@
 
 use std::ops::ControlFlow;
 
-use super::{Failed, Folded, Progress, Solver, State};
+use super::{Folded, Progress, Solver};
 use crate::model::Model;
 use crate::scene::Scene;
+use crate::solve::{Failed, State};
 
 /// A solver with a model, which keeps what it builds for the model from one fold to the next.
 pub trait Session {

@@ -1,12 +1,18 @@
 //! What all solvers are: drivers that take a sheet from a state to the one that a scene asks for.
 
+mod ensemble;
+mod session;
+
+pub use ensemble::Instance;
+pub use session::Session;
+
 use std::ops::ControlFlow;
 
-use super::ensemble::{Instance, over_threads};
-use super::session::{Direct, Session};
 use super::{Failed, State};
 use crate::model::{Inventory, Model};
 use crate::scene::{Reaction, Scene, Targets};
+use ensemble::over_threads;
+use session::Direct;
 
 /// What folds a model.
 pub trait Solver: Send + Sync {

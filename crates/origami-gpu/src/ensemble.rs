@@ -172,7 +172,7 @@ mod tests {
         let states = states(gpu.with(method.clone()).fold_all(&instances, &|_, _| {}));
         for (instance, state) in instances.iter().zip(states) {
             let cpu = method.fold(instance.model, &instance.start, instance.percent, &mut |_| {}).expect("it holds");
-            let far = crate::paper::testing::farthest(&cpu.state.positions, &state.positions);
+            let far = crate::testing::cases::farthest(&cpu.state.positions, &state.positions);
             assert!(far < 1e-6, "{far} radii apart");
         }
     }

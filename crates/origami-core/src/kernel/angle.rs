@@ -1,4 +1,4 @@
-//! Angles: arcus tangents of one's own, so that all lanes have the same.
+//! Angles: arc tangents of one's own, so that all lanes have the same.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 

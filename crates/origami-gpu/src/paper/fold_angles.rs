@@ -25,7 +25,7 @@ mod tests {
     use crate::testing::cases::{Case, ROUNDING, cases, collapsed, tampered, worst};
     use crate::testing::gpu;
 
-    /// In roundings of the angle, or of 1 where it is less. The normals come rounded, their products are rounded, the arcus
+    /// In roundings of the angle, or of 1 where it is less. The normals come rounded, their products are rounded, the arc
     /// tangent is good to 4 and so is its quotient; then whole turns are added.
     const TOLERANCE: f64 = 8.0;
 

@@ -27,7 +27,9 @@ macro_rules! shaders {
 }
 
 shaders! {
-    /// What all kernels share.
+    /// What all kernels share: constants and the control block.
+    CONTROL = "control.wgsl";
+    /// The state of a sheet, with positions finer than f32.
     STATE = "state.wgsl";
     /// Angles from sine and cosine.
     ANGLE = "angle.wgsl";
@@ -91,8 +93,8 @@ shaders! {
     WORKGROUP_RELAX = "workgroup_relax.wgsl";
 }
 
-/// The paper's five passes over displacements from rest: not the fastest, but the plainest. A kernel is [`paper::SHEET`],
-/// [`ANGLE`] and one of the passes.
+/// The paper's five passes over displacements from rest: not the fastest, but the plainest. A kernel is [`CONTROL`],
+/// [`MATERIAL_UNIFORM`], [`ANGLE`], [`paper::SHEET`] and one of the passes.
 pub mod paper {
     shaders! {
         /// What the passes share.
@@ -111,7 +113,7 @@ pub mod paper {
 }
 
 /// Pictures. The sheet and its lines are [`render::SCENE`] and one of the two; [`render::NODE_POSITIONS`] comes after
-/// [`STATE`].
+/// [`CONTROL`] and [`STATE`].
 #[cfg(feature = "render")]
 pub mod render {
     shaders! {

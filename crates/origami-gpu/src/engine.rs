@@ -8,7 +8,7 @@ use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::kernels::{Binding, Kernel, triangle_forces, workgroup_dynamics, workgroup_relax};
 use crate::layout::{Before, Control, CreaseState, Node};
-use crate::pipeline::{Buffers, Pass};
+use crate::pipeline::{Buffers, Pass, buffer};
 use crate::plan::{CHECK_INTERVAL, Plan};
 use crate::purpose::{Dispatch, Purpose, WORKGROUP_NODES};
 use crate::sheet_arrays::SheetArrays;
@@ -26,10 +26,13 @@ pub(crate) struct Engine {
     pub(crate) instances: usize,
     /// Steps between two runs of `row_sums`.
     renewal: u64,
-    forces: Vec<Pass>,
+    fold_angles: Vec<Pass>,
+    /// The forces of the springs alone: those of a relaxation, and what the stopping rule of dynamics takes.
+    spring_forces: Vec<Pass>,
     damped_forces: Vec<Pass>,
     settling: Vec<Pass>,
     row_sums: Vec<Pass>,
+    /// From forces to new positions; of an engine without a plan, all passes of a step.
     integration: Vec<Pass>,
     checkpoint: Vec<Pass>,
     workgroup: Option<Pass>,
@@ -73,21 +76,27 @@ impl Engine {
         let arrays = SheetArrays::new(models);
         let variant = Variant::new(&arrays, scheme, uniform(models));
         let buffers = gpu.scoped(|| buffers(gpu, &arrays, &variant, 1))??;
+        Ok(Self::plain(gpu, variant, buffers, Vec::new()))
+    }
+
+    /// One sheet of which a step is `passes` one after the other: no stopping rule, nothing to be renewed.
+    pub(crate) fn plain(gpu: &Gpu, variant: Variant, buffers: Buffers, passes: Vec<Pass>) -> Self {
         let none = Vec::new;
-        Ok(Self {
+        Self {
             gpu: gpu.clone(),
             renewal: CHECK_INTERVAL,
-            forces: none(),
+            fold_angles: none(),
+            spring_forces: none(),
             damped_forces: none(),
             settling: none(),
             row_sums: none(),
-            integration: none(),
+            integration: passes,
             checkpoint: none(),
             workgroup: None,
             variant,
             buffers,
             instances: 1,
-        })
+        }
     }
 
     fn with_buffers(
@@ -103,7 +112,8 @@ impl Engine {
         let plan = Plan::new(&variant, safe);
         let passes = |kernels: &[&'static Kernel]| kernels.iter().map(|k| pass(k, &variant, false)).collect();
         let undamped = variant.undamped();
-        let forces = plan.forces.iter().map(|k| pass(k, &undamped, false)).collect();
+        let mut fold_angles: Vec<Pass> = plan.forces.iter().map(|k| pass(k, &undamped, false)).collect();
+        let spring_forces = fold_angles.split_off(1);
         let dynamics = !variant.relaxing();
         // A workgroup that takes many steps does without the passes of single steps.
         let wide = workgroup.is_none();
@@ -123,7 +133,8 @@ impl Engine {
         Self {
             gpu: gpu.clone(),
             renewal: plan.renewal,
-            forces,
+            fold_angles,
+            spring_forces,
             damped_forces,
             settling,
             row_sums,
@@ -147,7 +158,8 @@ impl Engine {
             for step in (from..to.next_multiple_of(CHECK_INTERVAL)).step_by(self.variant.steps as usize) {
                 let is_check = step.is_multiple_of(CHECK_INTERVAL);
                 if is_check || renews(step) {
-                    record(&self.forces);
+                    record(&self.fold_angles);
+                    record(&self.spring_forces);
                 }
                 if is_check {
                     record(&self.settling);
@@ -160,11 +172,9 @@ impl Engine {
         } else {
             for step in from..to {
                 let is_check = step.is_multiple_of(CHECK_INTERVAL);
-                if dynamics {
-                    // The stopping rule takes the forces of the springs alone.
-                    record(if is_check { &self.forces } else { &self.forces[..1] });
-                } else {
-                    record(&self.forces);
+                record(&self.fold_angles);
+                if is_check || !dynamics {
+                    record(&self.spring_forces);
                 }
                 if is_check {
                     record(&self.settling);
@@ -224,7 +234,7 @@ fn iterations(arrays: &SheetArrays, workgroup: usize) -> usize {
 }
 
 /// Dispatches count workgroups in 16 bits.
-fn check_counts(variant: &Variant) -> Result<(), GpuError> {
+pub(crate) fn check_counts(variant: &Variant) -> Result<(), GpuError> {
     let most = variant.creases.max(variant.faces).max(variant.nodes);
     let allowed = 65_535;
     match variant.groups(most) {
@@ -268,15 +278,6 @@ pub(crate) fn sizes(arrays: &SheetArrays, variant: &Variant) -> Vec<(Binding, u6
 fn buffers(gpu: &Gpu, arrays: &SheetArrays, variant: &Variant, instances: usize) -> Result<Buffers, GpuError> {
     let mut buffers = Buffers::new();
     for (binding, each, once) in sizes(arrays, variant) {
-        // An empty binding is not allowed.
-        let needed = (each * instances as u64 + once).max(64);
-        gpu.fits(binding.what(), needed)?;
-        let buffer = gpu.device().create_buffer(&wgpu::BufferDescriptor {
-            label: Some(binding.what()),
-            size: needed,
-            usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
-            mapped_at_creation: false,
-        });
         let contents: &[u8] = match binding {
             Binding::Hinges => bytemuck::cast_slice(&arrays.hinges),
             Binding::Faces => bytemuck::cast_slice(&arrays.faces),
@@ -286,10 +287,7 @@ fn buffers(gpu: &Gpu, arrays: &SheetArrays, variant: &Variant, instances: usize)
             Binding::LooseBeams => bytemuck::cast_slice(&arrays.loose_beams),
             _ => &[],
         };
-        if !contents.is_empty() {
-            gpu.queue().write_buffer(&buffer, 0, contents);
-        }
-        buffers.insert(binding, buffer);
+        buffers.insert(binding, buffer(gpu, binding, each * instances as u64 + once, contents)?);
     }
     Ok(buffers)
 }
@@ -310,8 +308,8 @@ mod tests {
     use origami_core::generate::Miura;
 
     use super::*;
-    use crate::paper::testing::miura;
     use crate::testing::bench::EULER;
+    use crate::testing::cases::miura;
     use crate::testing::{gpu, sheets};
 
     const BY_WORKGROUP: Purpose = Purpose { scheme: EULER, safe: true, dispatch: Dispatch::Workgroup };

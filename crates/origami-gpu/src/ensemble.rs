@@ -179,7 +179,7 @@ mod tests {
         let states = states(gpu.with(method.clone()).fold_all(&instances, &|_, _| ControlFlow::Continue(())));
         for (instance, state) in instances.iter().zip(states) {
             let cpu = method.fold(instance.model, &instance.start, &instance.scene, &mut unwatched).expect("it holds");
-            let far = crate::paper::testing::farthest(&cpu.state.positions, &state.positions);
+            let far = crate::testing::cases::farthest(&cpu.state.positions, &state.positions);
             assert!(far < 1e-6, "{far} radii apart");
         }
     }

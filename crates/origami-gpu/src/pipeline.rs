@@ -3,11 +3,35 @@
 use std::collections::BTreeMap;
 
 use crate::device::Gpu;
+use crate::error::GpuError;
 use crate::kernels::{Binding, Kernel, Per};
 use crate::variant::Variant;
 
 /// The buffers of a sheet.
 pub(crate) type Buffers = BTreeMap<Binding, wgpu::Buffer>;
+
+/// A buffer of `size` bytes that begins with `contents`; the rest is zeros.
+///
+/// # Errors
+/// [`GpuError::TooLarge`]. Other refusals go to the error scope that this is called in.
+pub(crate) fn buffer(gpu: &Gpu, binding: Binding, size: u64, contents: &[u8]) -> Result<wgpu::Buffer, GpuError> {
+    use wgpu::BufferUsages as Usages;
+
+    // An empty binding is not allowed.
+    let size = size.max(64);
+    gpu.fits(binding.what(), size)?;
+    let kind = if binding == Binding::Settings { Usages::UNIFORM } else { Usages::STORAGE };
+    let buffer = gpu.device().create_buffer(&wgpu::BufferDescriptor {
+        label: Some(binding.what()),
+        size,
+        usage: kind | Usages::COPY_DST | Usages::COPY_SRC,
+        mapped_at_creation: false,
+    });
+    if !contents.is_empty() {
+        gpu.queue().write_buffer(&buffer, 0, contents);
+    }
+    Ok(buffer)
+}
 
 /// A kernel that can be dispatched.
 #[derive(Debug)]

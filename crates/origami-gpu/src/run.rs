@@ -153,7 +153,7 @@ impl Engine {
         }
     }
 
-    fn submit(&self, instances: usize, from: u64, to: u64) -> Result<Reading<Control>, GpuError> {
+    pub(crate) fn submit(&self, instances: usize, from: u64, to: u64) -> Result<Reading<Control>, GpuError> {
         #[expect(clippy::cast_possible_truncation, reason = "at most 65 535")]
         let count = instances as u32;
         self.gpu.scoped(|| {
@@ -240,8 +240,8 @@ fn narrow(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::paper::testing::miura;
     use crate::testing::bench::EULER;
+    use crate::testing::cases::miura;
     use crate::testing::gpu;
 
     #[test]

@@ -122,7 +122,7 @@ mod tests {
 
     use super::*;
     use crate::AdapterChoice;
-    use crate::paper::testing::miura;
+    use crate::testing::cases::miura;
     use crate::testing::gpu;
 
     /// An adapter of its own: it is going to be lost.

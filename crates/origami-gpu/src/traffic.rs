@@ -124,7 +124,8 @@ impl Traffic {
     }
 }
 
-fn moved(kernel: &Kernel, variant: &Variant, buffers: &[(Binding, u64)], per_step: f64) -> PassTraffic {
+/// What a run of `kernel` moves, of buffers with these lengths in bytes.
+pub(crate) fn moved(kernel: &Kernel, variant: &Variant, buffers: &[(Binding, u64)], per_step: f64) -> PassTraffic {
     let (mut read, mut written) = (0, 0);
     for binding in kernel.bindings(variant) {
         let bytes = buffers.iter().find(|(other, _)| *other == binding).map_or(0, |(_, bytes)| *bytes);
@@ -151,7 +152,8 @@ const fn halves(read: u64, written: u64) -> Part {
 fn part(kernel: &Kernel, binding: Binding, variant: &Variant) -> Part {
     let beams = 2 * variant.loose_beams as u64;
     match (binding, kernel.name) {
-        (Binding::Control, _) => halves(0, 0),
+        // Few bytes for the whole sheet.
+        (Binding::Control | Binding::Settings, _) => halves(0, 0),
         // The position; dampers read velocities too.
         (Binding::Nodes, "triangle_forces") if !variant.damped() => halves(1, 0),
         (Binding::Nodes, "fold_angles" | "row_sums") => halves(1, 0),
@@ -167,6 +169,11 @@ fn part(kernel: &Kernel, binding: Binding, variant: &Variant) -> Part {
         (Binding::Partials, "reduce_forces" | "settle_windows")
         | (Binding::CheckpointNodes | Binding::CheckpointAngles, _) => halves(0, 2),
         (Binding::Windows, _) => halves(2, 2),
+        // The paper's passes: the angle before and the displacement before are read, the rest is written only.
+        (Binding::FaceNormals, "normals")
+        | (Binding::Springs, "coefficients")
+        | (Binding::NextVelocities, "forces") => halves(0, 2),
+        (Binding::Springs, "fold_angles") | (Binding::Motions, "positions") => halves(2, 2),
         _ => halves(2, 0),
     }
 }
@@ -177,6 +184,7 @@ mod tests {
     use origami_core::{CreasePattern, Material};
 
     use super::*;
+    use crate::paper::PASSES;
     use crate::shader_checks::{accesses, checked};
 
     fn model(pattern: &CreasePattern, material: &Material) -> Model {
@@ -199,7 +207,7 @@ mod tests {
             let variant = with_everything(scheme);
             let plan = Plan::new(&variant, true);
             let kernels = plan.forces.iter().chain(plan.settling).chain(plan.row_sums).chain(plan.integration);
-            for kernel in kernels.chain(plan.checkpoint) {
+            for kernel in kernels.chain(plan.checkpoint).chain(&PASSES) {
                 let shader = checked(kernel.name, &kernel.source(&variant));
                 for (binding, expected) in accesses(&shader, kernel.entry) {
                     let bindings = kernel.bindings(&variant);
@@ -207,7 +215,7 @@ mod tests {
                     let part = part(kernel, binding, &variant);
                     let counted = (part.read > 0, part.written > 0);
                     assert!(
-                        counted == expected || binding == Binding::Control,
+                        counted == expected || [Binding::Control, Binding::Settings].contains(&binding),
                         "{} of {}",
                         binding.what(),
                         kernel.name

@@ -2,7 +2,7 @@
 
 @compute @workgroup_size(WORKGROUP)
 fn coefficients(@builtin(global_invocation_id) id: vec3<u32>) {
-    if (id.x >= settings.creases) {
+    if (id.x >= CREASES) {
         return;
     }
     let c = creases[id.x];

@@ -73,7 +73,7 @@ fn corner_forces(n: u32) -> vec3<f32> {
         let along_bc = (at_c - at_b) / dot(bc, bc) * cross(normal.xyz, bc);
         let along_ca = (at_a - at_c) / dot(ca, ca) * cross(normal.xyz, ca);
         var pulls = array<vec3<f32>, 3>(along_ab - along_ca, along_bc - along_ab, along_ca - along_bc);
-        sum += settings.k_face * pulls[role.place];
+        sum += k_face(0u) * pulls[role.place];
     }
     return sum;
 }
@@ -81,7 +81,7 @@ fn corner_forces(n: u32) -> vec3<f32> {
 @compute @workgroup_size(WORKGROUP)
 fn forces(@builtin(global_invocation_id) id: vec3<u32>) {
     let n = id.x;
-    if (n >= settings.nodes) {
+    if (n >= NODES) {
         return;
     }
     var force = vec3<f32>(0.0);

@@ -2,9 +2,11 @@
 
 // One thread counts the steps, and stops the sheet after one that led out of bounds.
 fn count_step() {
-    let running = u32(atomicLoad(&status.bad_node) == NONE);
-    status.running = running;
-    status.steps += running;
+    if (atomicLoad(&control[0].bad_node) != NONE) {
+        control[0].stop = DIVERGED;
+    } else {
+        control[0].step += 1u;
+    }
 }
 
 @compute @workgroup_size(WORKGROUP)
@@ -12,7 +14,7 @@ fn normals(@builtin(global_invocation_id) id: vec3<u32>) {
     if (id.x == 0u) {
         count_step();
     }
-    if (id.x >= settings.triangles) {
+    if (id.x >= FACES) {
         return;
     }
     let t = triangles[id.x];

@@ -3,7 +3,7 @@
 @compute @workgroup_size(WORKGROUP)
 fn positions(@builtin(global_invocation_id) id: vec3<u32>) {
     let n = id.x;
-    if (n >= settings.nodes || status.running == 0u) {
+    if (n >= NODES || control[0].stop != RUNNING) {
         return;
     }
     let velocity = next_velocities[n].xyz;
@@ -12,6 +12,6 @@ fn positions(@builtin(global_invocation_id) id: vec3<u32>) {
     motions[n] = Motion(displacement, velocity);
     let position = nodes[n].rest + displacement;
     if (beyond(dot(position, position), FARTHEST * FARTHEST) || beyond(dot(moved, moved), LONGEST_MOVE * LONGEST_MOVE)) {
-        atomicMin(&status.bad_node, n);
+        atomicMin(&control[0].bad_node, n);
     }
 }

@@ -1,26 +1,8 @@
-// What the paper's five passes share: the sheet and its state. Positions are displacements from rest.
-
-override WORKGROUP: u32;
-// Constants of the core, by the names that they have there.
-override DEGENERATE: f32;
-override FARTHEST: f32;
-override LONGEST_MOVE: f32;
-
-const NONE: u32 = 0xffffffffu;
+// What the paper's five passes share: the sheet and its state. Positions are displacements from rest. It comes after
+// control.wgsl; there is one instance.
 
 struct Settings {
-    nodes: u32,
-    triangles: u32,
-    creases: u32,
     time_step: f32,
-    k_face: f32,
-}
-
-struct Status {
-    // The first node out of bounds.
-    bad_node: atomic<u32>,
-    steps: u32,
-    running: u32,
 }
 
 // Ranges tell where the lists below speak of a node.
@@ -84,18 +66,17 @@ struct Role {
     triangle_two: u32,
 }
 
-@group(0) @binding(0) var<uniform> settings: Settings;
-@group(0) @binding(1) var<storage, read_write> status: Status;
-@group(0) @binding(2) var<storage, read> nodes: array<Node>;
-@group(0) @binding(3) var<storage, read_write> motions: array<Motion>;
-@group(0) @binding(4) var<storage, read_write> next_velocities: array<vec4<f32>>;
-@group(0) @binding(5) var<storage, read> triangles: array<Triangle>;
+@group(0) @binding(15) var<uniform> settings: Settings;
+@group(0) @binding(16) var<storage, read> nodes: array<Node>;
+@group(0) @binding(17) var<storage, read_write> motions: array<Motion>;
+@group(0) @binding(18) var<storage, read_write> next_velocities: array<vec4<f32>>;
+@group(0) @binding(19) var<storage, read> triangles: array<Triangle>;
 // Unit normals; the last number is twice the area.
-@group(0) @binding(6) var<storage, read_write> face_normals: array<vec4<f32>>;
-@group(0) @binding(7) var<storage, read> creases: array<Crease>;
-@group(0) @binding(8) var<storage, read_write> springs: array<Spring>;
-@group(0) @binding(9) var<storage, read> beam_ends: array<BeamEnd>;
-@group(0) @binding(10) var<storage, read> roles: array<Role>;
+@group(0) @binding(20) var<storage, read_write> face_normals: array<vec4<f32>>;
+@group(0) @binding(21) var<storage, read> creases: array<Crease>;
+@group(0) @binding(22) var<storage, read_write> springs: array<Spring>;
+@group(0) @binding(23) var<storage, read> beam_ends: array<BeamEnd>;
+@group(0) @binding(24) var<storage, read> roles: array<Role>;
 
 // From one node to another that lies `rest` away from it at rest.
 fn difference(rest: vec3<f32>, start: u32, end: u32) -> vec3<f32> {
@@ -105,9 +86,4 @@ fn difference(rest: vec3<f32>, start: u32, end: u32) -> vec3<f32> {
 // Whether a crease, or a height over it, is too short for an angle to mean anything.
 fn too_thin(length: f32, doubled_area_one: f32, doubled_area_two: f32) -> bool {
     return length < DEGENERATE || min(doubled_area_one, doubled_area_two) < DEGENERATE * length;
-}
-
-// Whether |x| > limit. Compared as bits, since a compiler may take NaN for impossible: its bits are the largest.
-fn beyond(x: f32, limit: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7fffffffu) > bitcast<u32>(limit);
 }

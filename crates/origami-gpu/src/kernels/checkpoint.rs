@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `checkpoint.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "checkpoint",
     entry: "checkpoint",
     text: wgsl::CHECKPOINT,
+    shared: SHARED,
     parts: |_| Vec::new(),
     uses: &[
         Binding::Control,
@@ -28,8 +29,8 @@ mod tests {
     use super::super::state_bounds;
     use super::*;
     use crate::layout::Node;
-    use crate::paper::testing::cases;
     use crate::testing::bench::{Bench, EULER, held};
+    use crate::testing::cases::cases;
     use crate::testing::gpu;
     use crate::variant::Scheme;
 

@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `fire_move.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "fire_move",
     entry: "fire_move",
     text: wgsl::FIRE_MOVE,
+    shared: SHARED,
     parts: |_| vec![wgsl::GATHER, wgsl::FIRE],
     uses: &[Binding::Control, Binding::Nodes],
     springs: false,
@@ -21,8 +22,8 @@ mod tests {
 
     use super::*;
     use crate::layout::{NONE, Node, vector};
-    use crate::paper::testing::{Random, cases, farthest};
     use crate::testing::bench::{Bench, held};
+    use crate::testing::cases::{Random, cases, farthest};
     use crate::testing::gpu;
     use crate::variant::Scheme;
 

@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `fire_update.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "fire_update",
     entry: "fire_update",
     text: wgsl::FIRE_UPDATE,
+    shared: SHARED,
     parts: |_| vec![wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::FIRE],
     uses: &[Binding::Control, Binding::Partials],
     springs: false,
@@ -21,8 +22,8 @@ mod tests {
 
     use super::*;
     use crate::layout::Control;
-    use crate::paper::testing::cases;
     use crate::testing::bench::{Bench, held};
+    use crate::testing::cases::cases;
     use crate::testing::gpu;
     use crate::variant::Scheme;
 

@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, creases};
+use super::{Binding, Kernel, Per, SHARED, creases};
 
 /// The kernel of `fold_angles.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "fold_angles",
     entry: "fold_angles",
     text: wgsl::FOLD_ANGLES,
+    shared: SHARED,
     parts: creases,
     uses: &[Binding::Control, Binding::Nodes, Binding::CreaseStates, Binding::Hinges],
     springs: false,
@@ -22,8 +23,8 @@ mod tests {
     use super::*;
     use crate::Gpu;
     use crate::layout::CreaseState;
-    use crate::paper::testing::{Case, ROUNDING, cases, collapsed, tampered, worst};
     use crate::testing::bench::{Bench, EULER, held};
+    use crate::testing::cases::{Case, ROUNDING, cases, collapsed, tampered, worst};
     use crate::testing::{gpu, magnitudes};
     use crate::variant::Scheme;
 

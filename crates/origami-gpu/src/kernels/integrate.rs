@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `integrate.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "integrate",
     entry: "integrate",
     text: wgsl::INTEGRATE,
+    shared: SHARED,
     parts: |_| vec![wgsl::GATHER],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows],
     springs: false,
@@ -23,8 +24,8 @@ mod tests {
     use super::super::{fold_angles, triangle_forces};
     use super::*;
     use crate::layout::{Node, vector};
-    use crate::paper::testing::{Case, ROUNDING, Random, cases, tampered, worst};
     use crate::testing::bench::{Bench, EULER, VERLET, held};
+    use crate::testing::cases::{Case, ROUNDING, Random, cases, tampered, worst};
     use crate::testing::{gpu, magnitudes, sheets};
     use crate::variant::Scheme;
 

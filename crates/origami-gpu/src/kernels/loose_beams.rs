@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `loose_beams.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "loose_beams",
     entry: "loose_beams_of_sheet",
     text: wgsl::LOOSE_BEAMS,
+    shared: SHARED,
     parts: |variant| vec![variant.material()],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::LooseBeams],
     springs: false,

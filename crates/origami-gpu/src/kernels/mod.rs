@@ -39,6 +39,17 @@ pub(crate) enum Binding {
     Windows = 11,
     CheckpointNodes = 12,
     CheckpointAngles = 13,
+    // Of the paper's five passes; 14 is where positions for pictures go.
+    Settings = 15,
+    RestNodes = 16,
+    Motions = 17,
+    NextVelocities = 18,
+    Triangles = 19,
+    FaceNormals = 20,
+    Creases = 21,
+    Springs = 22,
+    BeamEnds = 23,
+    Roles = 24,
 }
 
 impl Binding {
@@ -59,6 +70,16 @@ impl Binding {
             Self::Windows => "the stopping rule's memory",
             Self::CheckpointNodes => "the last good nodes",
             Self::CheckpointAngles => "the last good fold angles",
+            Self::Settings => "the settings",
+            Self::RestNodes => "the list of nodes",
+            Self::Motions => "the motion of the nodes",
+            Self::NextVelocities => "the next velocities of the nodes",
+            Self::Triangles => "the list of triangles",
+            Self::FaceNormals => "the normals of the triangles",
+            Self::Creases => "the list of creases",
+            Self::Springs => "the springs of the creases",
+            Self::BeamEnds => "the list of beams at nodes",
+            Self::Roles => "the list of creases and triangles at nodes",
         }
     }
 }
@@ -85,7 +106,9 @@ pub(crate) struct Kernel {
     pub(crate) entry: &'static str,
     /// The text of the kernel itself.
     pub(crate) text: &'static str,
-    /// The parts that it is put together from, for a variant.
+    /// The parts that come first, in every variant.
+    pub(crate) shared: &'static [&'static str],
+    /// The parts that follow, for a variant.
     pub(crate) parts: fn(&Variant) -> Vec<&'static str>,
     /// The buffers that it uses in every variant; those with `springs` may add some, see [`Kernel::bindings`].
     pub(crate) uses: &'static [Binding],
@@ -98,7 +121,7 @@ pub(crate) struct Kernel {
 impl Kernel {
     /// The whole shader.
     pub(crate) fn source(&self, variant: &Variant) -> String {
-        let mut parts = vec![wgsl::STATE];
+        let mut parts = self.shared.to_vec();
         parts.extend((self.parts)(variant));
         parts.push(self.text);
         parts.join("\n")
@@ -117,6 +140,9 @@ impl Kernel {
         bindings
     }
 }
+
+/// What the kernels of this folder begin with.
+const SHARED: &[&str] = &[wgsl::CONTROL, wgsl::STATE];
 
 /// The buffers of a workgroup that does all passes of its sheet.
 const WHOLE_SHEET: &[Binding] = &[
@@ -150,10 +176,11 @@ mod tests {
     use naga::{AddressSpace, ArraySize, Module, ShaderStage, TypeInner};
 
     use super::*;
+    use crate::paper::PASSES;
     use crate::shader_checks::{bindings, checked};
     use crate::testing::variants;
 
-    const ALL: [&Kernel; 16] = [
+    const ALL: [&Kernel; 21] = [
         &fire_update::KERNEL,
         &fold_angles::KERNEL,
         &triangle_forces::KERNEL,
@@ -170,6 +197,12 @@ mod tests {
         &reduce_forces::KERNEL,
         &workgroup_dynamics::KERNEL,
         &workgroup_relax::KERNEL,
+        // With those of the paper, which are made of the same.
+        PASSES[0],
+        PASSES[1],
+        PASSES[2],
+        PASSES[3],
+        PASSES[4],
     ];
 
     /// What every WebGPU device has.
@@ -220,7 +253,8 @@ mod tests {
                 "{} of {variant:?}: in the shader, in Rust",
                 kernel.name
             );
-            assert!(given.len() <= STORAGE_BUFFERS, "{} of {variant:?} fits the default limits", kernel.name);
+            let storage = given.iter().filter(|binding| **binding != Binding::Settings as u32).count();
+            assert!(storage <= STORAGE_BUFFERS, "{} of {variant:?} fits the default limits", kernel.name);
             count += 1;
         }
         assert!(count > 100, "{count} texts");
@@ -252,7 +286,9 @@ mod tests {
     fn each_kernel_has_the_shader_of_its_name() {
         for kernel in ALL {
             let file = format!("{}.wgsl", kernel.name);
-            let (_, text) = origami_shaders::ALL.iter().find(|(name, _)| *name == file).expect("a file of this name");
+            let folder = if kernel.shared == SHARED { wgsl::ALL } else { wgsl::paper::ALL };
+            let of_this_name = |(name, _): &&(&str, &str)| name.rsplit('/').next() == Some(file.as_str());
+            let (_, text) = folder.iter().find(of_this_name).expect("a file of this name");
             assert_eq!(*text, kernel.text, "{file}");
         }
     }

@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `reduce_forces.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "reduce_forces",
     entry: "reduce_forces",
     text: wgsl::REDUCE_FORCES,
+    shared: SHARED,
     parts: |_| vec![wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::FIRE],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows, Binding::Partials],
     springs: false,
@@ -23,8 +24,8 @@ mod tests {
     use super::super::{fold_angles, row_sums as row_sums_kernel, triangle_forces};
     use super::*;
     use crate::layout::vector;
-    use crate::paper::testing::{Case, ROUNDING, cases, tampered, worst};
     use crate::testing::bench::{Bench, held};
+    use crate::testing::cases::{Case, ROUNDING, cases, tampered, worst};
     use crate::testing::{gpu, magnitudes, sheets};
     use crate::variant::Scheme;
 

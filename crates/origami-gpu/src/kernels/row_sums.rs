@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, springs};
+use super::{Binding, Kernel, Per, SHARED, springs};
 
 /// The kernel of `row_sums.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "row_sums",
     entry: "row_sums",
     text: wgsl::ROW_SUMS,
+    shared: SHARED,
     parts: springs,
     uses: &[Binding::Control, Binding::Nodes, Binding::Hinges, Binding::Faces, Binding::Slots],
     springs: true,
@@ -22,8 +23,8 @@ mod tests {
     use super::super::{fold_angles, triangle_forces};
     use super::*;
     use crate::Gpu;
-    use crate::paper::testing::{Case, ROUNDING, cases, collapsed, tampered, worst};
     use crate::testing::bench::{Bench, EULER, held};
+    use crate::testing::cases::{Case, ROUNDING, cases, collapsed, tampered, worst};
     use crate::testing::{gpu, magnitudes, sheets};
 
     /// In roundings of all that is summed at a node: products of two gradients, each some ten operations.

@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `safe_time_step.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "safe_time_step",
     entry: "safe_time_step",
     text: wgsl::SAFE_TIME_STEP,
+    shared: SHARED,
     parts: |_| Vec::new(),
     uses: &[Binding::Control],
     springs: false,
@@ -22,8 +23,8 @@ mod tests {
 
     use super::super::{fold_angles, row_sums, stiffness_max, triangle_forces};
     use super::*;
-    use crate::paper::testing::{Case, cases};
     use crate::testing::bench::{Bench, EULER, VERLET, held};
+    use crate::testing::cases::{Case, cases};
     use crate::testing::{gpu, sheets};
 
     /// As a share of the step. It is the root of a sum of some twenty numbers in single precision; of thin triangles, whose

@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `settle_decide.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "settle_decide",
     entry: "settle_decide",
     text: wgsl::SETTLE_DECIDE,
+    shared: SHARED,
     parts: |_| vec![wgsl::REDUCE, wgsl::PARTIALS, wgsl::WINDOWS],
     uses: &[Binding::Control, Binding::Partials],
     springs: false,
@@ -21,8 +22,8 @@ mod tests {
 
     use super::*;
     use crate::layout::{Control, SETTLED};
-    use crate::paper::testing::cases;
     use crate::testing::bench::{Bench, EULER, held};
+    use crate::testing::cases::cases;
     use crate::testing::gpu;
     use crate::variant::Scheme;
 

@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `settle_windows.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "settle_windows",
     entry: "settle_windows",
     text: wgsl::SETTLE_WINDOWS,
+    shared: SHARED,
     parts: |_| vec![wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::WINDOWS],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows, Binding::Partials, Binding::Windows],
     springs: false,
@@ -23,8 +24,8 @@ mod tests {
 
     use super::super::{fold_angles, settle_decide, triangle_forces};
     use super::*;
-    use crate::paper::testing::{Case, Random, cases};
     use crate::testing::bench::{Bench, held};
+    use crate::testing::cases::{Case, Random, cases};
     use crate::testing::{gpu, sheets};
     use crate::variant::Scheme;
 

@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `stiffness_max.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "stiffness_max",
     entry: "stiffness_max",
     text: wgsl::STIFFNESS_MAX,
+    shared: SHARED,
     parts: |_| vec![wgsl::GATHER],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows],
     springs: false,

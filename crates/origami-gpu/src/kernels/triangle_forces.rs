@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, springs};
+use super::{Binding, Kernel, Per, SHARED, springs};
 
 /// The kernel of `triangle_forces.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "triangle_forces",
     entry: "triangle_forces",
     text: wgsl::TRIANGLE_FORCES,
+    shared: SHARED,
     parts: springs,
     uses: &[Binding::Control, Binding::Nodes, Binding::CreaseStates, Binding::Faces, Binding::Slots],
     springs: true,
@@ -23,8 +24,8 @@ mod tests {
     use super::super::fold_angles;
     use super::*;
     use crate::Gpu;
-    use crate::paper::testing::{Case, ROUNDING, cases, collapsed, tampered, worst};
     use crate::testing::bench::{Bench, EULER, held};
+    use crate::testing::cases::{Case, ROUNDING, cases, collapsed, tampered, worst};
     use crate::testing::{gpu, magnitudes, sheets};
     use crate::variant::Scheme;
 

@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Kernel, Per, WHOLE_SHEET, springs};
+use super::{Kernel, Per, SHARED, WHOLE_SHEET, springs};
 
 /// The kernel of `workgroup_dynamics.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "workgroup_dynamics",
     entry: "workgroup_dynamics",
     text: wgsl::WORKGROUP_DYNAMICS,
+    shared: SHARED,
     parts: |variant| {
         let mut parts = springs(variant);
         parts.extend([wgsl::FOLD_ANGLES, wgsl::TRIANGLE_FORCES, wgsl::GATHER, wgsl::INTEGRATE]);

@@ -2,13 +2,14 @@
 
 use origami_shaders as wgsl;
 
-use super::{Kernel, Per, WHOLE_SHEET, springs};
+use super::{Kernel, Per, SHARED, WHOLE_SHEET, springs};
 
 /// The kernel of `workgroup_relax.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
     name: "workgroup_relax",
     entry: "workgroup_relax",
     text: wgsl::WORKGROUP_RELAX,
+    shared: SHARED,
     parts: |variant| {
         let mut parts = springs(variant);
         let passes = [wgsl::FOLD_ANGLES, wgsl::TRIANGLE_FORCES, wgsl::ROW_SUMS, wgsl::GATHER, wgsl::REDUCE, wgsl::FIRE];

@@ -1,18 +1,22 @@
 //! Third pass: the coefficients of the creases' forces (paper 2.3).
 
-use super::kernel::{Each, Kernel};
-use super::layout::Slot;
+use super::layout::SHARED;
+use crate::kernels::{Binding, Kernel, Per};
 
 pub(super) const KERNEL: Kernel = Kernel {
     name: "coefficients",
-    own: origami_shaders::paper::COEFFICIENTS,
-    slots: &[Slot::Settings, Slot::Motions, Slot::FaceNormals, Slot::Creases, Slot::Springs],
-    each: Each::Crease,
+    entry: "coefficients",
+    text: origami_shaders::paper::COEFFICIENTS,
+    shared: SHARED,
+    parts: |_| Vec::new(),
+    uses: &[Binding::Motions, Binding::FaceNormals, Binding::Creases, Binding::Springs],
+    springs: false,
+    per: Per::Crease,
 };
 
 /// One over the heights of the apexes, then the places of their feet, for each crease in f64; zeros where it has collapsed.
 #[cfg(test)]
-pub(super) fn on_cpu(case: &super::testing::Case) -> Vec<[f64; 4]> {
+pub(super) fn on_cpu(case: &crate::testing::cases::Case) -> Vec<[f64; 4]> {
     let coefficients = |crease: &origami_core::model::Crease| {
         let points = crease.nodes.map(|n| case.state.positions[n.index()]);
         if origami_core::forces::creases::hinge(points).is_none() {
@@ -32,7 +36,8 @@ mod tests {
     use super::*;
     use crate::Gpu;
     use crate::paper::layout::Spring;
-    use crate::paper::testing::{Case, ROUNDING, cases, collapsed, reach, sheet, tampered, worst};
+    use crate::paper::testing::{run, sheet};
+    use crate::testing::cases::{Case, ROUNDING, cases, collapsed, reach, tampered, worst};
     use crate::testing::gpu;
 
     /// In roundings of the vectors that go in. The area comes rounded, and two or three operations follow, of which WGSL lets
@@ -41,8 +46,8 @@ mod tests {
 
     fn coefficients(gpu: &Gpu, case: &Case) -> Vec<[f64; 4]> {
         let sheet = sheet(gpu, case);
-        sheet.run(&[&KERNEL], 1).expect("it runs");
-        let springs: Vec<Spring> = sheet.contents(Slot::Springs, case.model.creases.len()).expect("read");
+        run(&sheet, &KERNEL, 1);
+        let springs: Vec<Spring> = sheet.engine.read(Binding::Springs, case.model.creases.len()).expect("read");
         let numbers = |s: &Spring| [s.per_height[0], s.per_height[1], s.foot[0], s.foot[1]].map(f64::from);
         springs.iter().map(numbers).collect()
     }

@@ -12,9 +12,9 @@ use origami_core::solve::{Diverged, Failed, Folded, Progress, Stop, TimeStep, ti
 use origami_core::twins::checkpoint::{COPY_EVERY, is_good};
 use origami_core::{Solver, State};
 
-use super::layout::{NONE, Status};
 use super::sheet::Sheet;
-use crate::Gpu;
+use crate::device::Gpu;
+use crate::layout::{Control, NONE};
 
 /// The paper's scheme in the paper's five passes: the plainest way to do on a GPU what [`origami_core::Dynamics`] does with
 /// [`Integrator::Euler`](origami_core::solve::Integrator::Euler), no ramp and a number of steps.
@@ -63,14 +63,13 @@ impl Solver for PaperDynamics {
         sheet.write(model, &read.state).map_err(|error| read.failed(error))?;
         let mut stop = Stop::StepsDone;
         while read.step < self.steps {
-            let batch = COPY_EVERY.min(self.steps - read.step) as u32;
-            let status = sheet.advance(batch).map_err(|error| read.failed(error))?;
+            let step = (read.step + COPY_EVERY).min(self.steps);
+            let control = sheet.advance(read.step, step).map_err(|error| read.failed(error))?;
             let state = sheet.read(model, &read.state.targets).map_err(|error| read.failed(error))?;
-            if status.bad_node != NONE {
-                let step = read.step + u64::from(status.steps);
-                return Err(diverged(model, &state, status, step, dt, good).into());
+            if control.bad_node != NONE {
+                return Err(diverged(model, &state, control, dt, good).into());
             }
-            read = Read { state, step: read.step + u64::from(batch) };
+            read = Read { state, step };
             if read.is_good(dt) {
                 good.clone_from(&read);
             }
@@ -120,17 +119,17 @@ impl Read {
 }
 
 /// `state` is that after the step which led out of bounds: no later step has moved it.
-fn diverged(model: &Model, state: &State, status: Status, step: u64, dt: f64, good: Read) -> Diverged {
-    let node = NodeId(status.bad_node);
-    let place = |of: &[DVec3]| of.get(node.index()).copied().unwrap_or(DVec3::NAN);
-    let (position, moved) = (place(&state.positions), place(&state.velocities) * dt);
-    Diverged::new(model, (node, position, moved), step, Box::new(good.state), good.step)
+fn diverged(model: &Model, state: &State, control: Control, dt: f64, good: Read) -> Diverged {
+    let node = NodeId(control.bad_node);
+    let at = |of: &[DVec3]| of.get(node.index()).copied().unwrap_or(DVec3::NAN);
+    let (position, moved) = (at(&state.positions), at(&state.velocities) * dt);
+    Diverged::new(model, (node, position, moved), u64::from(control.step), Box::new(good.state), good.step)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::paper::testing;
+    use crate::testing::cases;
     use crate::testing::gpu;
     use origami_core::Dynamics;
     use origami_core::solve::unwatched;
@@ -152,15 +151,15 @@ mod tests {
     fn trajectories_agree_with_the_processor() {
         let Some(gpu) = gpu() else { return };
         let solver = PaperDynamics { gpu, time_step: TimeStep::Paper, steps: STEPS };
-        for (name, model) in testing::patterns() {
+        for (name, model) in cases::patterns() {
             let (ours, theirs) = (solved(&solver, &model, 60.0), solved(&cpu(TimeStep::Paper, STEPS), &model, 60.0));
-            let far = testing::farthest(&ours.state.positions, &theirs.state.positions);
-            let moved = testing::farthest(&theirs.state.positions, &model.rest);
+            let far = cases::farthest(&ours.state.positions, &theirs.state.positions);
+            let moved = cases::farthest(&theirs.state.positions, &model.rest);
             println!("{name}: {far:.1e} radii apart after moving {moved:.2}");
             assert!(moved > 0.05, "{name} moves");
             assert!(far < TRAJECTORY, "{name}: {far} radii apart");
             let other = solved(&cpu(TimeStep::Paper, STEPS), &model, 59.9);
-            assert!(testing::farthest(&ours.state.positions, &other.state.positions) > TRAJECTORY, "0.1 % is seen");
+            assert!(cases::farthest(&ours.state.positions, &other.state.positions) > TRAJECTORY, "0.1 % is seen");
             for node in &model.fixed {
                 assert_eq!(ours.state.positions[node.index()], model.rest[node.index()], "{name}: it is fixed");
             }
@@ -173,14 +172,14 @@ mod tests {
     fn two_runs_give_the_same_bits() {
         let Some(gpu) = gpu() else { return };
         let solver = PaperDynamics { gpu, time_step: TimeStep::Paper, steps: 150 };
-        let model = testing::miura();
+        let model = cases::miura();
         assert_eq!(solved(&solver, &model, 60.0).state, solved(&solver, &model, 60.0).state);
     }
 
     #[test]
     fn steps_that_are_too_long_diverge_as_on_the_processor() {
         let Some(gpu) = gpu() else { return };
-        let model = testing::miura();
+        let model = cases::miura();
         let (time_step, start) = (TimeStep::Fixed(0.35), State::at_rest(&model));
         let fold = |solver: &dyn Solver| {
             solver.fold(&model, &start, &Scene::percent(60.0), &mut unwatched).expect_err("too long")
@@ -199,7 +198,7 @@ mod tests {
     #[test]
     fn no_steps_leave_the_start_and_a_safe_step_is_refused() {
         let Some(gpu) = gpu() else { return };
-        let model = testing::miura();
+        let model = cases::miura();
         let none = PaperDynamics { gpu: gpu.clone(), time_step: TimeStep::Paper, steps: 0 };
         let folded = solved(&none, &model, 60.0);
         assert_eq!(folded.state.positions, model.rest);

@@ -1,13 +1,17 @@
 //! Second pass: fold angles (paper 2.3).
 
-use super::kernel::{Each, Kernel};
-use super::layout::Slot;
+use super::layout::SHARED;
+use crate::kernels::{Binding, Kernel, Per};
 
 pub(super) const KERNEL: Kernel = Kernel {
     name: "fold_angles",
-    own: origami_shaders::paper::FOLD_ANGLES,
-    slots: &[Slot::Settings, Slot::Motions, Slot::FaceNormals, Slot::Creases, Slot::Springs],
-    each: Each::Crease,
+    entry: "fold_angles",
+    text: origami_shaders::paper::FOLD_ANGLES,
+    shared: SHARED,
+    parts: |_| Vec::new(),
+    uses: &[Binding::Motions, Binding::FaceNormals, Binding::Creases, Binding::Springs],
+    springs: false,
+    per: Per::Crease,
 };
 
 #[cfg(test)]
@@ -17,17 +21,18 @@ mod tests {
     use super::*;
     use crate::Gpu;
     use crate::paper::layout::Spring;
-    use crate::paper::testing::{Case, ROUNDING, cases, collapsed, sheet, tampered, worst};
+    use crate::paper::testing::{run, sheet};
+    use crate::testing::cases::{Case, ROUNDING, cases, collapsed, tampered, worst};
     use crate::testing::gpu;
 
-    /// In roundings of the angle, or of 1 where it is less. The normals come rounded, their products are rounded, the arcus
+    /// In roundings of the angle, or of 1 where it is less. The normals come rounded, their products are rounded, the arc
     /// tangent is good to 4 and so is its quotient; then whole turns are added.
     const TOLERANCE: f64 = 8.0;
 
     fn angles(gpu: &Gpu, case: &Case) -> Vec<f64> {
         let sheet = sheet(gpu, case);
-        sheet.run(&[&KERNEL], 1).expect("it runs");
-        let springs: Vec<Spring> = sheet.contents(Slot::Springs, case.model.creases.len()).expect("read");
+        run(&sheet, &KERNEL, 1);
+        let springs: Vec<Spring> = sheet.engine.read(Binding::Springs, case.model.creases.len()).expect("read");
         springs.iter().map(|spring| f64::from(spring.angle)).collect()
     }
 

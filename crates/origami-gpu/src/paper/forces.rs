@@ -1,23 +1,27 @@
 //! Fourth pass: forces and velocities (paper 2.2 to 2.5).
 
-use super::kernel::{Each, Kernel};
-use super::layout::Slot;
+use super::layout::SHARED;
+use crate::kernels::{Binding, Kernel, Per};
 
 pub(super) const KERNEL: Kernel = Kernel {
     name: "forces",
-    own: origami_shaders::paper::FORCES,
-    slots: &[
-        Slot::Settings,
-        Slot::Nodes,
-        Slot::Motions,
-        Slot::NextVelocities,
-        Slot::Triangles,
-        Slot::FaceNormals,
-        Slot::Springs,
-        Slot::BeamEnds,
-        Slot::Roles,
+    entry: "forces",
+    text: origami_shaders::paper::FORCES,
+    shared: SHARED,
+    parts: |_| Vec::new(),
+    uses: &[
+        Binding::Settings,
+        Binding::RestNodes,
+        Binding::Motions,
+        Binding::NextVelocities,
+        Binding::Triangles,
+        Binding::FaceNormals,
+        Binding::Springs,
+        Binding::BeamEnds,
+        Binding::Roles,
     ],
-    each: Each::Node,
+    springs: false,
+    per: Per::Node,
 };
 
 #[cfg(test)]
@@ -29,8 +33,9 @@ mod tests {
     use super::*;
     use crate::Gpu;
     use crate::paper::layout::Spring;
-    use crate::paper::testing::{Case, ROUNDING, cases, collapsed, reach, sheet, tampered, worst};
+    use crate::paper::testing::{run, sheet};
     use crate::paper::{coefficients, sheet};
+    use crate::testing::cases::{Case, ROUNDING, cases, collapsed, reach, tampered, worst};
     use crate::testing::gpu;
 
     /// In roundings of all that is summed at a node. Each spring's force is some ten operations on numbers that come rounded;
@@ -53,9 +58,9 @@ mod tests {
             *spring = Spring { per_height: [h1, h2], foot: [s1, s2], ..*spring };
         }
         let sheet = sheet(gpu, &case);
-        sheet.fill(Slot::Springs, &springs).expect("written");
-        sheet.run(&[&KERNEL], 1).expect("it runs");
-        let next: Vec<[f32; 4]> = sheet.contents(Slot::NextVelocities, case.model.node_count()).expect("read");
+        sheet.engine.write(Binding::Springs, &springs);
+        run(&sheet, &KERNEL, 1);
+        let next: Vec<[f32; 4]> = sheet.engine.read(Binding::NextVelocities, case.model.node_count()).expect("read");
         next.into_iter().map(|v| Vec4::from_array(v).truncate().as_dvec3()).collect()
     }
 

@@ -5,7 +5,9 @@ use origami_core::forces::damping;
 use origami_core::ids::NodeId;
 use origami_core::model::Model;
 
-use super::layout::{BeamEnd, Crease, Motion, Node, Role, Settings, Slot, Spring, Status, Triangle};
+use super::layout::{BeamEnd, Crease, Motion, Node, Role, Settings, Spring, Triangle};
+use crate::kernels::Binding;
+use crate::layout::Control;
 
 /// The constant buffers of a sheet.
 pub(super) struct Lists {
@@ -39,39 +41,30 @@ impl Lists {
             creases: hinges(model),
             beam_ends,
             roles,
-            settings: Settings {
-                nodes: small(count),
-                triangles: small(model.mesh.triangles.len()),
-                creases: small(model.creases.len()),
-                time_step: time_step as f32,
-                k_face: model.material.k_face as f32,
-            },
+            settings: Settings { time_step: time_step as f32 },
         }
     }
 
-    /// What a buffer holds from the beginning; nothing where wgpu fills it with zeros.
-    pub(super) fn bytes(&self, slot: Slot) -> &[u8] {
-        match slot {
-            Slot::Settings => bytemuck::bytes_of(&self.settings),
-            Slot::Nodes => bytemuck::cast_slice(&self.nodes),
-            Slot::Triangles => bytemuck::cast_slice(&self.triangles),
-            Slot::Creases => bytemuck::cast_slice(&self.creases),
-            Slot::BeamEnds => bytemuck::cast_slice(&self.beam_ends),
-            Slot::Roles => bytemuck::cast_slice(&self.roles),
-            Slot::Status | Slot::Motions | Slot::NextVelocities | Slot::FaceNormals | Slot::Springs => &[],
+    /// Each buffer with its length in bytes and what it holds from the beginning; the rest is zeros.
+    pub(super) fn buffers(&self) -> [(Binding, u64, &[u8]); 11] {
+        fn filled(binding: Binding, contents: &[u8]) -> (Binding, u64, &[u8]) {
+            (binding, contents.len() as u64, contents)
         }
-    }
-
-    /// The length of a buffer in bytes.
-    pub(super) fn size(&self, slot: Slot) -> usize {
-        match slot {
-            Slot::Status => size_of::<Status>(),
-            Slot::Motions => self.nodes.len() * size_of::<Motion>(),
-            Slot::NextVelocities => self.nodes.len() * size_of::<[f32; 4]>(),
-            Slot::FaceNormals => self.triangles.len() * size_of::<[f32; 4]>(),
-            Slot::Springs => self.creases.len() * size_of::<Spring>(),
-            filled => self.bytes(filled).len(),
-        }
+        let zeros = |binding, count: usize, size: usize| (binding, (count * size) as u64, [].as_slice());
+        let (nodes, triangles, creases) = (self.nodes.len(), self.triangles.len(), self.creases.len());
+        [
+            zeros(Binding::Control, 1, size_of::<Control>()),
+            filled(Binding::Settings, bytemuck::bytes_of(&self.settings)),
+            filled(Binding::RestNodes, bytemuck::cast_slice(&self.nodes)),
+            zeros(Binding::Motions, nodes, size_of::<Motion>()),
+            zeros(Binding::NextVelocities, nodes, size_of::<[f32; 4]>()),
+            filled(Binding::Triangles, bytemuck::cast_slice(&self.triangles)),
+            zeros(Binding::FaceNormals, triangles, size_of::<[f32; 4]>()),
+            filled(Binding::Creases, bytemuck::cast_slice(&self.creases)),
+            zeros(Binding::Springs, creases, size_of::<Spring>()),
+            filled(Binding::BeamEnds, bytemuck::cast_slice(&self.beam_ends)),
+            filled(Binding::Roles, bytemuck::cast_slice(&self.roles)),
+        ]
     }
 }
 

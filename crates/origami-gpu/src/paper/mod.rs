@@ -6,7 +6,6 @@ mod coefficients;
 mod dynamics;
 mod fold_angles;
 mod forces;
-mod kernel;
 mod layout;
 mod lists;
 mod normals;
@@ -14,9 +13,9 @@ mod passes;
 mod positions;
 mod sheet;
 #[cfg(test)]
-pub(crate) mod testing;
+mod testing;
 mod traffic;
 
 pub use dynamics::PaperDynamics;
 #[cfg(test)]
-pub(crate) use passes::PASSES as PAPER_PASSES;
+pub(crate) use passes::PASSES;

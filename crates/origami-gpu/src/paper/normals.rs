@@ -1,18 +1,22 @@
 //! First pass: normals of the triangles.
 
-use super::kernel::{Each, Kernel};
-use super::layout::Slot;
+use super::layout::SHARED;
+use crate::kernels::{Binding, Kernel, Per};
 
 pub(super) const KERNEL: Kernel = Kernel {
     name: "normals",
-    own: origami_shaders::paper::NORMALS,
-    slots: &[Slot::Settings, Slot::Status, Slot::Motions, Slot::Triangles, Slot::FaceNormals],
-    each: Each::Triangle,
+    entry: "normals",
+    text: origami_shaders::paper::NORMALS,
+    shared: SHARED,
+    parts: |_| Vec::new(),
+    uses: &[Binding::Control, Binding::Motions, Binding::Triangles, Binding::FaceNormals],
+    springs: false,
+    per: Per::Face,
 };
 
 /// Unit normal and twice the area of each triangle, in f64.
 #[cfg(test)]
-pub(super) fn on_cpu(case: &super::testing::Case) -> Vec<glam::DVec4> {
+pub(super) fn on_cpu(case: &crate::testing::cases::Case) -> Vec<glam::DVec4> {
     let triangles = case.model.mesh.triangles.iter();
     let normal = |nodes: &[origami_core::ids::NodeId; 3]| {
         let [a, b, c] = nodes.map(|n| case.state.positions[n.index()]);
@@ -26,9 +30,10 @@ pub(super) fn on_cpu(case: &super::testing::Case) -> Vec<glam::DVec4> {
 mod tests {
     use super::*;
     use crate::Gpu;
-    use crate::paper::layout::{NONE, Status};
+    use crate::layout::{Control, NONE};
     use crate::paper::sheet::Sheet;
-    use crate::paper::testing::{Case, ROUNDING, cases, miura, reach, sheet, tampered, worst};
+    use crate::paper::testing::{run, sheet};
+    use crate::testing::cases::{Case, ROUNDING, cases, miura, reach, tampered, worst};
     use crate::testing::gpu;
 
     /// In roundings of the sides, times side over height, by which a wrong side turns the normal. Two sides and the products
@@ -38,9 +43,9 @@ mod tests {
     fn error(gpu: &Gpu, case: &Case, expected: &Case) -> f64 {
         let sheet = sheet(gpu, case);
         let expected_normals = on_cpu(expected);
-        sheet.fill(Slot::FaceNormals, &vec![[f32::NAN; 4]; expected_normals.len()]).expect("written");
-        sheet.run(&[&KERNEL], 1).expect("it runs");
-        let normals: Vec<[f32; 4]> = sheet.contents(Slot::FaceNormals, expected_normals.len()).expect("read");
+        sheet.engine.write(Binding::FaceNormals, &vec![[f32::NAN; 4]; expected_normals.len()]);
+        run(&sheet, &KERNEL, 1);
+        let normals: Vec<[f32; 4]> = sheet.engine.read(Binding::FaceNormals, expected_normals.len()).expect("read");
         worst(normals.iter().zip(expected_normals).zip(&case.model.mesh.triangles).flat_map(|((got, want), nodes)| {
             let got = glam::Vec4::from_array(*got).as_dvec4();
             let [a, b, c] = nodes.map(|n| n.index());
@@ -68,11 +73,11 @@ mod tests {
     fn the_first_pass_counts_steps_until_a_node_is_out_of_bounds() {
         let Some(gpu) = gpu() else { return };
         let sheet = Sheet::new(&gpu, &miura(), 0.1).expect("it fits");
-        for (bad_node, expected) in [(NONE, [NONE, 8, 1]), (3, [3, 5, 0])] {
-            sheet.fill(Slot::Status, &[Status { bad_node, steps: 5, running: 1 }]).expect("written");
-            sheet.run(&[&KERNEL], 3).expect("it runs");
-            let status: Vec<[u32; 3]> = sheet.contents(Slot::Status, 1).expect("read");
-            assert_eq!(status, [expected]);
+        for (bad_node, stop, step) in [(NONE, 0, 8), (3, 2, 5)] {
+            sheet.engine.write(Binding::Control, &[Control { bad_node, step: 5, ..Control::default() }]);
+            run(&sheet, &KERNEL, 3);
+            let control: Vec<Control> = sheet.engine.read(Binding::Control, 1).expect("read");
+            assert_eq!(control, [Control { bad_node, stop, step, ..Control::default() }]);
         }
     }
 }

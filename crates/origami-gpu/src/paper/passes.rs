@@ -1,7 +1,7 @@
 //! The order of the five passes.
 
-use super::kernel::Kernel;
 use super::{coefficients, fold_angles, forces, normals, positions};
+use crate::kernels::Kernel;
 
 /// In the order in which they run.
 pub(crate) const PASSES: [&Kernel; 5] =

@@ -1,13 +1,17 @@
 //! Fifth pass: positions.
 
-use super::kernel::{Each, Kernel};
-use super::layout::Slot;
+use super::layout::SHARED;
+use crate::kernels::{Binding, Kernel, Per};
 
 pub(super) const KERNEL: Kernel = Kernel {
     name: "positions",
-    own: origami_shaders::paper::POSITIONS,
-    slots: &[Slot::Settings, Slot::Status, Slot::Nodes, Slot::Motions, Slot::NextVelocities],
-    each: Each::Node,
+    entry: "positions",
+    text: origami_shaders::paper::POSITIONS,
+    shared: SHARED,
+    parts: |_| Vec::new(),
+    uses: &[Binding::Control, Binding::Settings, Binding::RestNodes, Binding::Motions, Binding::NextVelocities],
+    springs: false,
+    per: Per::Node,
 };
 
 #[cfg(test)]
@@ -18,11 +22,12 @@ mod tests {
 
     use super::*;
     use crate::Gpu;
-    use crate::paper::layout::{NONE, Status};
-    use crate::paper::testing::{Case, ROUNDING, Random, cases, sheet, worst};
+    use crate::layout::{Control, NONE};
+    use crate::paper::testing::{run, sheet};
+    use crate::testing::cases::{Case, ROUNDING, Random, cases, worst};
     use crate::testing::gpu;
 
-    /// In roundings of the displacement and the way: the time step, the product and the sum are rounded once each.
+    /// In roundings of the displacement and the move: the time step, the product and the sum are rounded once each.
     const TOLERANCE: f64 = 3.0;
 
     fn next_velocities(case: &Case) -> Vec<DVec3> {
@@ -30,14 +35,14 @@ mod tests {
         case.state.velocities.iter().map(|_| random.vector(1.0).as_vec3().as_dvec3()).collect()
     }
 
-    fn run(gpu: &Gpu, case: &Case, next: &[DVec3], running: u32) -> (State, Status) {
+    fn moved(gpu: &Gpu, case: &Case, next: &[DVec3], stop: u32) -> (State, Control) {
         let sheet = sheet(gpu, case);
         let next: Vec<[f32; 4]> = next.iter().map(|v| v.as_vec3().extend(0.0).to_array()).collect();
-        sheet.fill(Slot::NextVelocities, &next).expect("written");
-        sheet.fill(Slot::Status, &[Status { bad_node: NONE, steps: 1, running }]).expect("written");
-        sheet.run(&[&KERNEL], 1).expect("it runs");
-        let status = sheet.contents(Slot::Status, 1).expect("read")[0];
-        (sheet.read(&case.model, &case.state.targets).expect("read"), status)
+        sheet.engine.write(Binding::NextVelocities, &next);
+        sheet.engine.write(Binding::Control, &[Control { bad_node: NONE, step: 1, stop, ..Control::default() }]);
+        run(&sheet, &KERNEL, 1);
+        let control: Control = sheet.engine.read(Binding::Control, 1).expect("read")[0];
+        (sheet.read(&case.model, &case.state.targets).expect("read"), control)
     }
 
     fn error(case: &Case, got: &State, next: &[DVec3]) -> f64 {
@@ -56,11 +61,11 @@ mod tests {
         let Some(gpu) = gpu() else { return };
         for case in cases() {
             let mut next = next_velocities(&case);
-            let (got, status) = run(&gpu, &case, &next, 1);
+            let (got, control) = moved(&gpu, &case, &next, 0);
             let error = error(&case, &got, &next);
             println!("positions, {}: {error:.2}", case.name);
             assert!(error < TOLERANCE, "{}: {error} roundings", case.name);
-            assert_eq!(status.bad_node, NONE, "{}", case.name);
+            assert_eq!(control.bad_node, NONE, "{}", case.name);
             next[1].z += 1e-4;
             assert!(self::error(&case, &got, &next) > TOLERANCE, "{}: a wrong velocity is seen", case.name);
         }
@@ -76,18 +81,18 @@ mod tests {
         for (ways, expected) in steps {
             let mut next = vec![DVec3::ZERO; case.model.node_count()];
             (next[4].y, next[9].x) = (ways[0] / dt, ways[1] / dt);
-            assert_eq!(run(&gpu, &case, &next, 1).1.bad_node, expected, "{ways:?}");
+            assert_eq!(moved(&gpu, &case, &next, 0).1.bad_node, expected, "{ways:?}");
         }
         let mut far = case.clone();
         far.state.positions[6] = DVec3::new(0.0, 0.0, 101.0);
-        assert_eq!(run(&gpu, &far, &vec![DVec3::ZERO; case.model.node_count()], 1).1.bad_node, 6, "a far place");
+        assert_eq!(moved(&gpu, &far, &vec![DVec3::ZERO; case.model.node_count()], 0).1.bad_node, 6, "a far place");
     }
 
     #[test]
     fn a_sheet_that_was_stopped_does_not_move() {
         let Some(gpu) = gpu() else { return };
         let case = cases().swap_remove(3);
-        let (got, _) = run(&gpu, &case, &next_velocities(&case), 0);
+        let (got, _) = moved(&gpu, &case, &next_velocities(&case), 2);
         assert_eq!((got.positions, got.velocities), (case.state.positions, case.state.velocities));
     }
 }

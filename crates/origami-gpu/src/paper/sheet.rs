@@ -1,68 +1,60 @@
 //! A sheet in the memory of a GPU.
 
-use bytemuck::Pod;
 use glam::{DVec3, Vec3};
 use origami_core::State;
 use origami_core::model::Model;
 
-use super::kernel::{Each, Kernel, Pass, WORKGROUP};
-use super::layout::{Motion, NONE, Settings, Slot, Spring, Status};
+use super::layout::{Motion, Spring};
 use super::lists::Lists;
 use super::passes::PASSES;
-use crate::mapped::Reading;
-use crate::{Gpu, GpuError};
+use crate::device::Gpu;
+use crate::engine::{Engine, check_counts};
+use crate::error::GpuError;
+use crate::kernels::Binding;
+use crate::layout::{Control, NONE};
+use crate::pipeline::{Buffers, Pass, buffer};
+use crate::sheet_arrays::SheetArrays;
+use crate::variant::{Scheme, Variant};
 
-/// A sheet in the memory of a GPU, with the passes bound to it.
+/// A sheet in the memory of a GPU: an engine of which a step is the five passes.
 pub(super) struct Sheet {
-    gpu: Gpu,
-    buffers: Vec<wgpu::Buffer>,
-    passes: Vec<Pass>,
-    settings: Settings,
+    pub(super) engine: Engine,
 }
 
 impl Sheet {
     /// All state is zero: [`Sheet::write`] comes next.
     ///
     /// # Errors
-    /// [`GpuError::TooLarge`] where a list does not fit one binding, [`GpuError::OutOfMemory`], and whatever else
-    /// [`Gpu::scoped`] returns.
+    /// [`GpuError::TooLarge`] and [`GpuError::TooManyElements`] where the sheet is too large, or what the device says.
     pub(super) fn new(gpu: &Gpu, model: &Model, time_step: f64) -> Result<Self, GpuError> {
+        let variant = variant(model);
+        check_counts(&variant)?;
         let lists = Lists::new(model, time_step);
-        let size = |slot| lists.size(slot);
-        for slot in Slot::ALL {
-            gpu.fits(slot.what(), size(slot) as u64)?;
-        }
-        let counts = [
-            (lists.nodes.len(), Slot::Nodes),
-            (lists.triangles.len(), Slot::Triangles),
-            (lists.creases.len(), Slot::Creases),
-        ];
-        for (count, what) in counts {
-            let most = u64::from(gpu.limits().max_compute_workgroups_per_dimension) * u64::from(WORKGROUP);
-            let bytes_each = (size(what) / count.max(1)) as u64;
-            check(gpu, what.what(), size(what) as u64, most * bytes_each.max(1))?;
-        }
-        gpu.scoped(|| {
-            let buffers: Vec<wgpu::Buffer> = Slot::ALL.map(|slot| buffer(gpu, slot, size(slot) as u64)).into();
-            for slot in Slot::ALL {
-                gpu.queue().write_buffer(&buffers[slot as usize], 0, lists.bytes(slot));
+        let engine = gpu.scoped(|| {
+            let mut buffers = Buffers::new();
+            for (binding, size, contents) in lists.buffers() {
+                buffers.insert(binding, buffer(gpu, binding, size, contents)?);
             }
-            let passes = PASSES.map(|kernel| kernel.bound(gpu, &buffers)).into();
-            Self { gpu: gpu.clone(), buffers, passes, settings: lists.settings }
-        })
+            let passes = PASSES.map(|kernel| Pass::new(gpu, kernel, &variant, false, &buffers)).into();
+            Ok::<_, GpuError>(Engine::plain(gpu, variant, buffers, passes))
+        });
+        Ok(Self { engine: engine?? })
     }
 
-    /// Writes a state.
+    /// Writes a state, at step 0.
     pub(super) fn write(&self, model: &Model, state: &State) -> Result<(), GpuError> {
-        self.fill(Slot::Motions, &motions(model, state))?;
-        self.fill(Slot::Springs, &springs(model, state))
+        self.engine.gpu.scoped(|| {
+            self.engine.write(Binding::Control, &[Control { bad_node: NONE, limit: u32::MAX, ..Control::default() }]);
+            self.engine.write(Binding::Motions, &motions(model, state));
+            self.engine.write(Binding::Springs, &springs(model, state));
+        })
     }
 
     /// Reads the state back.
     pub(super) fn read(&self, model: &Model, targets: &[f64]) -> Result<State, GpuError> {
         let wide = |v: [f32; 3]| Vec3::from_array(v).as_dvec3();
-        let motions = self.contents::<Motion>(Slot::Motions, model.node_count())?;
-        let springs = self.contents::<Spring>(Slot::Springs, model.creases.len())?;
+        let motions: Vec<Motion> = self.engine.read(Binding::Motions, model.node_count())?;
+        let springs: Vec<Spring> = self.engine.read(Binding::Springs, model.creases.len())?;
         Ok(State {
             positions: motions.iter().zip(&model.rest).map(|(m, rest)| *rest + wide(m.displacement)).collect(),
             velocities: motions.iter().map(|m| wide(m.velocity)).collect(),
@@ -71,79 +63,17 @@ impl Sheet {
         })
     }
 
-    /// Takes up to `steps` steps and waits for them; tells how many it took, and where it stopped short of them.
-    pub(super) fn advance(&self, steps: u32) -> Result<Status, GpuError> {
-        self.fill(Slot::Status, &[Status { bad_node: NONE, steps: 0, running: 1 }])?;
-        self.run(&PASSES, steps)?;
-        let status = self.contents::<Status>(Slot::Status, 1)?;
-        status.first().copied().ok_or_else(|| GpuError::Refused("the status could not be read".to_owned()))
-    }
-
-    /// Runs the passes so many times, all in one submission.
-    pub(super) fn run(&self, kernels: &[&Kernel], times: u32) -> Result<(), GpuError> {
-        self.gpu.scoped(|| {
-            let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
-            {
-                let mut recorded = encoder.begin_compute_pass(&Default::default());
-                for _ in 0..times {
-                    for (kernel, pass) in PASSES.iter().zip(&self.passes) {
-                        if kernels.iter().any(|wanted| wanted.name == kernel.name) {
-                            recorded.set_pipeline(&pass.pipeline);
-                            recorded.set_bind_group(0, &pass.bindings, &[]);
-                            recorded.dispatch_workgroups(self.groups(kernel.each), 1, 1);
-                        }
-                    }
-                }
-            }
-            self.gpu.queue().submit([encoder.finish()]);
-        })
-    }
-
-    /// At least one: the first pass counts the steps, even of a sheet without triangles.
-    fn groups(&self, each: Each) -> u32 {
-        let count = match each {
-            Each::Triangle => self.settings.triangles,
-            Each::Crease => self.settings.creases,
-            Each::Node => self.settings.nodes,
-        };
-        count.div_ceil(WORKGROUP).max(1)
-    }
-
-    /// Overwrites a buffer.
-    pub(super) fn fill<T: Pod>(&self, slot: Slot, content: &[T]) -> Result<(), GpuError> {
-        let write = || self.gpu.queue().write_buffer(&self.buffers[slot as usize], 0, bytemuck::cast_slice(content));
-        self.gpu.scoped(write)
-    }
-
-    /// The first `count` elements of a buffer, once all that was submitted is done.
-    pub(super) fn contents<T: Pod>(&self, slot: Slot, count: usize) -> Result<Vec<T>, GpuError> {
-        let reading = self.gpu.scoped(|| {
-            let encoder = self.gpu.device().create_command_encoder(&Default::default());
-            Reading::new(&self.gpu, encoder, &self.buffers[slot as usize], count, slot.what())
-        })?;
-        reading.wait(&self.gpu)
+    /// Takes the steps `from..to` and waits for them; the control block tells where it stopped short of them.
+    pub(super) fn advance(&self, from: u64, to: u64) -> Result<Control, GpuError> {
+        let controls = self.engine.submit(1, from, to)?.wait(&self.engine.gpu)?;
+        controls.first().copied().ok_or_else(|| GpuError::Refused("the control block could not be read".to_owned()))
     }
 }
 
-fn check(gpu: &Gpu, what: &'static str, needed: u64, allowed: u64) -> Result<(), GpuError> {
-    let allowed = allowed.min(gpu.limits().max_buffer_size);
-    if needed > allowed { Err(GpuError::TooLarge { what, needed, allowed }) } else { Ok(()) }
-}
-
-/// At least one element long: a binding cannot be empty.
-fn buffer(gpu: &Gpu, slot: Slot, size: u64) -> wgpu::Buffer {
-    const LONGEST_ELEMENT: u64 = size_of::<super::layout::Triangle>() as u64;
-    gpu.device().create_buffer(&wgpu::BufferDescriptor {
-        label: Some(slot.what()),
-        size: size.max(LONGEST_ELEMENT),
-        usage: wgpu::BufferUsages::COPY_DST
-            | wgpu::BufferUsages::COPY_SRC
-            | match slot.binding_type() {
-                wgpu::BufferBindingType::Uniform => wgpu::BufferUsages::UNIFORM,
-                wgpu::BufferBindingType::Storage { .. } => wgpu::BufferUsages::STORAGE,
-            },
-        mapped_at_creation: false,
-    })
+/// What the constants of the five passes are taken from.
+pub(super) fn variant(model: &Model) -> Variant {
+    let scheme = Scheme::Dynamics { verlet: false, damped: true };
+    Variant::new(&SheetArrays::new(&[model]), scheme, Some(model.material))
 }
 
 /// Displacements from rest, and velocities.

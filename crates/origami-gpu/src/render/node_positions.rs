@@ -1,7 +1,7 @@
 //! Positions of a simulation's nodes for drawing, without a way through the processor.
 
-use origami_shaders::STATE;
 use origami_shaders::render::NODE_POSITIONS;
+use origami_shaders::{CONTROL, STATE};
 
 use super::resolve::kernel;
 use crate::engine::Engine;
@@ -10,7 +10,7 @@ use crate::kernels::Binding;
 
 /// The text of the kernel.
 pub(super) fn source() -> String {
-    [STATE, NODE_POSITIONS].join("\n")
+    [CONTROL, STATE, NODE_POSITIONS].join("\n")
 }
 
 /// Positions of the engine's first sheet, as shaders that draw read them.

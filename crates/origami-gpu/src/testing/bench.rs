@@ -11,10 +11,10 @@ use crate::Gpu;
 use crate::engine::Engine;
 use crate::kernels::{Binding, Kernel, loose_beams};
 use crate::layout::{Control, Node};
-use crate::paper::testing::Case;
 use crate::pipeline::Pass;
 use crate::run::Beginning;
 use crate::sheet_arrays::SheetArrays;
+use crate::testing::cases::Case;
 use crate::variant::Scheme;
 
 pub(crate) const EULER: Scheme = Scheme::Dynamics { verlet: false, damped: true };

@@ -3,7 +3,7 @@
 use origami_core::forces::{creases, damping};
 
 use crate::layout::QUANTUM;
-use crate::paper::testing::Case;
+use crate::testing::cases::Case;
 
 /// By how much rounding errors of a triangle's normal grow: its parts are rounded to a share of [`QUANTUM`] times the longest
 /// side, and it is as long as that side times the height.

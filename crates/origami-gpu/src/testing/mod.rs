@@ -1,6 +1,7 @@
 //! An adapter for tests, and what the tests of the kernels have in common.
 
 pub(crate) mod bench;
+pub(crate) mod cases;
 pub(crate) mod magnitudes;
 pub(crate) mod sheets;
 pub(crate) mod variants;

@@ -1,4 +1,4 @@
-//! Sheets with what [`crate::paper::testing::cases`] do not have.
+//! Sheets with what [`crate::testing::cases::cases`] do not have.
 
 use glam::DVec3;
 use origami_core::generate::Miura;
@@ -6,7 +6,7 @@ use origami_core::ids::VertexId;
 use origami_core::pattern::{Assignment, CreasePattern, PatternEdge};
 use origami_core::{Material, Model, State};
 
-use crate::paper::testing::{Case, Random};
+use crate::testing::cases::{Case, Random};
 
 fn edge(a: u32, b: u32, ea: Option<f64>) -> PatternEdge {
     let vertices = [a, b].map(VertexId);

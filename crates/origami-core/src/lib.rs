@@ -2,6 +2,14 @@
 //!
 //! Data flows one way: [`fold`] document → [`pattern::CreasePattern`] → [`mesh::Mesh`] → [`model::Model`] →
 //! [`solve`] → [`measure`] → [`export`]. [`generate`] makes patterns without a file.
+//!
+//! # Features
+//! - `files` (default): reading from and writing to paths. Without it streams and slices are read and written.
+//! - `parallel` (default): threads. Without it one thread does everything, and the same bits come out.
+//! - `serde`: `Serialize` and `Deserialize` for settings, ids and vectors.
+//! - `newton`: the solver `Newton`, which needs sparse factorisations.
+//!
+//! Without its default features the crate uses no thread, no file and no clock, and builds for `wasm32-unknown-unknown`.
 #![forbid(unsafe_code)]
 
 pub mod csr;

@@ -3,7 +3,7 @@
 //! this crate.
 //!
 //! ```
-//! use origami_core::{CreasePattern, Material, Model, Relax, fold::Document, measure::Strain};
+//! use origami_core::{CreasePattern, Material, Model, Relax, Solver, fold::Document, measure::Strain};
 //!
 //! // A square with a vertex in the middle, to be folded in four: three valleys and a mountain.
 //! let document = Document::from_slice(
@@ -30,13 +30,15 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`fold`] | FOLD documents as written |
-//! | [`generate`] | patterns from parameters, and closed forms |
+//! | [`generate`] | patterns from parameters, |
+//! | [`rigid`] | closed forms of rigid folding |
 //! | [`pattern`] | [`CreasePattern`]: letters, fold angles and faces, with warnings of what was put right |
 //! | [`mesh`] | the faces cut into triangles: topology without positions |
 //! | [`model`] | [`Model`]: beams, creases and corner angles, scaled to radius 1, with a [`Material`] |
 //! | [`forces`] | the formulas: energies, forces and second derivatives, one kind of spring a file |
-//! | [`solve`] | the trait [`Solver`]; [`Relax`], [`Dynamics`] and `Newton`; many sheets at once |
-//! | [`measure`] | strain, angle errors, distance between states, dangers |
+//! | [`scene`] | [`Scene`]: target angles, supports, loads, forces of one's own |
+//! | [`solve`] | [`Simulation`], which can be stepped and steered; the drivers [`Relax`], [`Dynamics`] and `Newton`; many sheets at once |
+//! | [`measure`] | strain, angle errors, distance between states, warnings of scenes that go wrong |
 //! | [`export`] | FOLD, OBJ and STL |
 //! | [`error`], [`ids`] | errors and warnings that name a place; typed indices |
 //!
@@ -44,7 +46,12 @@
 //!
 //! # Features
 //!
-//! `newton` (off by default) adds `Newton`, the reference solver, and with it faer for sparse factorisations.
+//! - `files` (default): reading from and writing to paths. Without it streams and slices are read and written.
+//! - `parallel` (default): threads. Without it one thread does everything, and the same bits come out.
+//! - `serde`: `Serialize` and `Deserialize` for settings, scenes, saved simulations, ids and vectors.
+//! - `newton`: the solver `Newton`, which needs sparse factorisations.
+//!
+//! Without its default features the crate uses no thread, no file and no clock, and builds for `wasm32-unknown-unknown`.
 #![forbid(unsafe_code)]
 
 pub mod csr;
@@ -71,6 +78,7 @@ pub use error::{Error, Warning};
 pub use glam;
 pub use model::{Material, Model};
 pub use pattern::CreasePattern;
+pub use scene::{Scene, Targets};
 #[cfg(feature = "newton")]
 pub use solve::Newton;
-pub use solve::{Dynamics, Folded, Relax, Solver, State};
+pub use solve::{Dynamics, Folded, Relax, Simulation, Solver, State};

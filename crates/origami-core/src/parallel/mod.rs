@@ -10,3 +10,39 @@ mod serial;
 pub(crate) use pool::*;
 #[cfg(not(feature = "parallel"))]
 pub(crate) use serial::*;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_come_in_the_order_of_the_items() {
+        let items: Vec<u64> = (0..1000).collect();
+        let expected: Vec<u64> = items.iter().map(|x| x * x).collect();
+        assert_eq!(map(&items, |i, x| i as u64 * x), expected);
+        let mut results = vec![7; 3];
+        map_into(&items, 16, |x| x * x, &mut results);
+        assert_eq!(results, expected);
+        assert_eq!(join(|| 1, || 2), (1, 2));
+    }
+
+    #[test]
+    fn what_is_said_is_heard_in_order_before_the_result() {
+        let mut heard = Vec::new();
+        let result = listen_to(
+            |say| {
+                (0..100).for_each(say);
+                "done"
+            },
+            &mut |message| heard.push(message),
+        );
+        assert_eq!((result, heard), ("done", (0..100).collect::<Vec<i32>>()));
+    }
+
+    #[cfg(feature = "parallel")]
+    #[test]
+    fn a_thread_of_a_pool_takes_no_others() {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool");
+        assert_eq!(pool.install(free_threads), 1);
+    }
+}

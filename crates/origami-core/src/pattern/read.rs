@@ -8,7 +8,8 @@ use crate::fold::{Document, Frame};
 impl CreasePattern {
     /// The crease pattern that `frame` describes, with parents already resolved.
     ///
-    /// Mistakes in the file are put right, each kind with a [`Warning`] that names the first place, or refused:
+    /// Mistakes in the file are put right, each kind with a [`Warning`](crate::Warning) that names the first place, or
+    /// refused:
     /// - Letters: lower case is accepted, an unknown letter counts as `U`. Without letters they follow from the fold
     ///   angles; an edge of one face is boundary. A letter other than `B` on the contour becomes `B`.
     /// - Angles: without them M folds to -180 degrees, V to 180, F and J to 0. A `null` is a free crease. On a sheet that

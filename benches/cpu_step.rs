@@ -16,8 +16,8 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use origami::export::crease_pattern_document;
 use origami::fold::Frame;
 use origami::forces::{Forces, damping};
-use origami::solve::threads::NODES_A_THREAD;
-use origami::solve::{Precision, time_step};
+use origami::scene::{Scene, Targets};
+use origami::solve::{BareKernel, NODES_A_THREAD, Precision, Simulation, time_step, unwatched};
 use origami::{CreasePattern, Dynamics, Material, Model, Relax, Solver, State, generate};
 
 #[path = "../tests/common/printed.rs"]
@@ -126,5 +126,35 @@ fn build(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, cpu_step, build);
+/// What it costs to step a sheet from outside: `bare` is the three passes of the paper's scheme and nothing else, `step(1)` a
+/// [`Simulation`] that is asked for one step at a time, `step(100)` for a hundred.
+fn simulation_step(c: &mut Criterion) {
+    let mut group = c.benchmark_group("simulation_step");
+    group.sample_size(10).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(3));
+    for panels in [9, 99, 315] {
+        let pattern = generate::miura(panels, panels).expect("valid");
+        let model = Model::new(&pattern, &Material::default()).expect("a generated pattern");
+        let (scene, rest) = (Scene::percent(60.0), State::at_rest(&model));
+        let to_start = Dynamics { steps: Some(200), ..Dynamics::default() };
+        let start = to_start.fold(&model, &rest, &scene, &mut unwatched).expect("holds").state;
+        let (nodes, portion) = (model.node_count() as u64, 100);
+        group.throughput(Throughput::Elements(nodes * portion));
+        let one = std::num::NonZeroUsize::new(1);
+        let dynamics = Dynamics { threads: one, ..Dynamics::default() };
+        let mut bare = BareKernel::new(&model, &start, &model.targets(60.0));
+        let dt = time_step::paper(&model);
+        group.bench_function(BenchmarkId::new("bare", nodes), |b| b.iter(|| (0..portion).for_each(|_| bare.step(dt))));
+        let mut simulation = Simulation::in_scene(model, dynamics, &scene, start).expect("it runs");
+        simulation.set_targets(Targets::percent(60.0)).expect("the same");
+        group.bench_function(BenchmarkId::new("step(1)", nodes), |b| {
+            b.iter(|| (0..portion).for_each(|_| drop(simulation.step(1).expect("holds"))));
+        });
+        group.bench_function(BenchmarkId::new("step(100)", nodes), |b| {
+            b.iter(|| simulation.step(portion).expect("holds"));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, cpu_step, simulation_step, build);
 criterion_main!(benches);

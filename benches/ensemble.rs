@@ -6,6 +6,8 @@
 
 mod shared;
 
+use std::ops::ControlFlow;
+use origami::scene::Scene;
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};

@@ -8,6 +8,8 @@
 
 mod shared;
 
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};

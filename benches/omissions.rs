@@ -4,6 +4,7 @@
 
 mod shared;
 
+use origami::scene::Scene;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use origami::gpu::Dispatch;
 use origami::ids::VertexId;

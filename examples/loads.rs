@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut total = weight;
     let mut moment = loaded.state.positions[middle.index()].cross(weight);
     for reaction in &loaded.reactions {
-        println!("node {:2} carries {:.2e}", reaction.node.0, reaction.force);
+        println!("node {:2} carries {:.5}", reaction.node.0, reaction.force);
         total += reaction.force;
         moment += loaded.state.positions[reaction.node.index()].cross(reaction.force);
     }

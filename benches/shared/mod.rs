@@ -1,6 +1,7 @@
 //! What the benches of the GPU share: the adapter, the scenes, and how the time of a step is taken.
 #![expect(dead_code, reason = "each bench uses what it needs")]
 
+use std::ops::ControlFlow;
 use origami::scene::Scene;
 use origami::solve::unwatched;
 use std::sync::{Mutex, OnceLock};
@@ -104,8 +105,9 @@ pub(crate) struct Looks {
 }
 
 impl Looks {
-    pub(crate) fn look(&mut self, progress: Progress) {
+    pub(crate) fn look(&mut self, progress: Progress) -> ControlFlow<()> {
         self.at.push((progress.step, Instant::now()));
+        ControlFlow::Continue(())
     }
 
     /// The time of one step.
@@ -146,7 +148,7 @@ pub(crate) fn bench_session(
     start: &State,
 ) {
     bench_steps(group, id, nodes, |looks| {
-        session.fold(start, 60.0, &mut |progress| looks.look(progress)).expect("it holds");
+        session.fold(start, &Scene::percent(60.0), &mut |progress| looks.look(progress)).expect("it holds");
     });
 }
 
@@ -164,8 +166,9 @@ pub(crate) fn bench_ensemble(
             if i == 0
                 && let Ok(mut looks) = looks.lock()
             {
-                looks.look(progress);
+                return looks.look(progress);
             }
+            ControlFlow::Continue(())
         });
         assert!(results.iter().all(Result::is_ok), "all hold");
     });

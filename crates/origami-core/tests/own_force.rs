@@ -106,7 +106,12 @@ fn a_loaded_sheet_on_springs_sinks_as_hooke_says() {
     for folded in ends.drain(..) {
         assert!(folded.converged());
         for (p, rest) in folded.state.positions.iter().zip(&model.rest) {
-            assert!((*p - *rest - load / stiffness * DVec3::Z).length() < 1e-6, "{} is not {}", *p - *rest, load / stiffness);
+            assert!(
+                (*p - *rest - load / stiffness * DVec3::Z).length() < 1e-6,
+                "{} is not {}",
+                *p - *rest,
+                load / stiffness
+            );
         }
         let energy = folded.state.energy_in(&model, &scene);
         let (count, sunk) = (model.node_count() as f64, load / stiffness);
@@ -142,7 +147,8 @@ fn gradient_and_hessian_are_those_of_finite_differences() {
                     state.moved_to(&model, positions)
                 };
                 let (before, after) = (at(-h), at(h));
-                let slope = (after.energy_in(&model, &scene).total() - before.energy_in(&model, &scene).total()) / (2.0 * h);
+                let slope =
+                    (after.energy_in(&model, &scene).total() - before.energy_in(&model, &scene).total()) / (2.0 * h);
                 assert!((slope - gradient[node][axis]).abs() < 1e-6, "{name}: {slope} is not {}", gradient[node][axis]);
                 let (before, after) = (before.gradient(&model, &scene), after.gradient(&model, &scene));
                 let mut unit = vec![0.0; hessian.size()];
@@ -187,10 +193,12 @@ fn relaxation_ends_where_newton_ends() {
     let model = model("bird-base");
     let scene = Scene::percent(30.0).with_force(springs(&model, 0.05, 0.5));
     let rest = State::at_rest(&model);
-    let relaxed = Relax { tolerance: 1e-7, ..Relax::default() }.fold(&model, &rest, &scene, &mut unwatched).expect("holds");
+    let relaxed =
+        Relax { tolerance: 1e-7, ..Relax::default() }.fold(&model, &rest, &scene, &mut unwatched).expect("holds");
     assert!(relaxed.converged() && relaxed.residual < 1e-5);
     let plain = Relax::default().fold_from_rest(&model, 30.0).expect("holds");
-    let far = |a: &State, b: &State| a.positions.iter().zip(&b.positions).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+    let far =
+        |a: &State, b: &State| a.positions.iter().zip(&b.positions).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
     assert!(far(&relaxed.state, &plain.state) > 1e-3, "the springs do something");
     #[cfg(feature = "newton")]
     {
@@ -206,7 +214,8 @@ fn a_solver_that_needs_what_a_force_lacks_says_what() {
     let model = model("single-crease");
     let rest = State::at_rest(&model);
     let scene = Scene::percent(10.0).with_force(Wind(1e-3 * DVec3::X));
-    let refused = |solver: &dyn Solver| solver.fold(&model, &rest, &scene, &mut unwatched).expect_err("refused").to_string();
+    let refused =
+        |solver: &dyn Solver| solver.fold(&model, &rest, &scene, &mut unwatched).expect_err("refused").to_string();
     let relax = refused(&Relax::default());
     assert!(relax.starts_with("force `wind`: it has no bound on its row sums, which relax needs;"), "{relax}");
     let safe = refused(&Dynamics { time_step: TimeStep::Safe, ..Dynamics::default() });
@@ -216,7 +225,10 @@ fn a_solver_that_needs_what_a_force_lacks_says_what() {
         let newton = refused(&origami_core::Newton::default());
         assert!(newton.starts_with("force `wind`: it has no energy, which newton needs;"), "{newton}");
     }
-    assert!(Relax::default().fold(&model, &rest, &Scene::percent(10.0), &mut unwatched).is_ok(), "without it all is well");
+    assert!(
+        Relax::default().fold(&model, &rest, &Scene::percent(10.0), &mut unwatched).is_ok(),
+        "without it all is well"
+    );
     let state = State { targets: model.targets(10.0), ..rest.clone() };
     assert_eq!(state.hessian(&model, &scene), None);
 }
@@ -229,7 +241,8 @@ fn wind_on_a_free_sheet_moves_it_as_a_stone_falls() {
     let scene = Scene::default().with_force(Wind(force));
     let (dt, steps) = (1e-2, 1000);
     let dynamics = Dynamics { time_step: TimeStep::Fixed(dt), ..Dynamics::default() };
-    let mut simulation = Simulation::in_scene(model.clone(), dynamics, &scene, State::at_rest(&model)).expect("it runs");
+    let mut simulation =
+        Simulation::in_scene(model.clone(), dynamics, &scene, State::at_rest(&model)).expect("it runs");
     simulation.step(steps).expect("holds");
     // Semi-implicit Euler: the sum of the first n numbers.
     let n = steps as f64;

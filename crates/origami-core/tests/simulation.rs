@@ -214,7 +214,8 @@ fn a_timeline_folds_creases_one_after_the_other() {
     let model = model("miura");
     let pattern = catalog::generate("miura", &[]).expect("a pattern");
     let mut order = Timeline::new(&model);
-    let creases: Vec<_> = pattern.edges.iter().enumerate().filter(|(_, e)| e.fold_angle.is_some_and(|a| a != 0.0)).collect();
+    let creases: Vec<_> =
+        pattern.edges.iter().enumerate().filter(|(_, e)| e.fold_angle.is_some_and(|a| a != 0.0)).collect();
     for (i, (edge, of)) in creases.iter().enumerate() {
         let angle = 0.5 * of.fold_angle.expect("it has one");
         let keys = if i % 2 == 0 { [(0.0, 0.0), (0.5, angle)] } else { [(0.5, 0.0), (1.0, angle)] };
@@ -227,7 +228,10 @@ fn a_timeline_folds_creases_one_after_the_other() {
     }
     let folded = simulation.finish().expect("measured");
     let half = Targets::percent(50.0).of(&model).expect("targets");
-    assert!(folded.state.targets.iter().zip(&half).all(|(a, b)| (a - b).abs() < 1e-12), "it ends at half of all angles");
+    assert!(
+        folded.state.targets.iter().zip(&half).all(|(a, b)| (a - b).abs() < 1e-12),
+        "it ends at half of all angles"
+    );
     assert_eq!(folded.percent(), None, "angles that are no percentage");
 }
 
@@ -245,7 +249,13 @@ fn it_goes_on_bit_for_bit_from_where_it_was_saved() {
         assert_eq!(again.report(), simulation.report());
         again.step(100).expect("holds");
         let other = again.state().expect("read");
-        check(&mut || { simulation.step(100).expect("holds"); simulation.state().expect("read") }, other);
+        check(
+            &mut || {
+                simulation.step(100).expect("holds");
+                simulation.state().expect("read")
+            },
+            other,
+        );
     }
     let mut simulation = Simulation::new(model.clone(), Relax::default()).expect("it runs");
     simulation.set_targets(Targets::percent(60.0)).expect("targets");

@@ -13,6 +13,8 @@ pub(crate) use serial::*;
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
+
     use super::*;
 
     #[test]
@@ -31,12 +33,29 @@ mod tests {
         let mut heard = Vec::new();
         let result = listen_to(
             |say| {
-                (0..100).for_each(say);
+                (0..100).for_each(|message| assert!(say(message).is_continue()));
                 "done"
             },
-            &mut |message| heard.push(message),
+            &mut |message| {
+                heard.push(message);
+                ControlFlow::Continue(())
+            },
         );
         assert_eq!((result, heard), ("done", (0..100).collect::<Vec<i32>>()));
+    }
+
+    #[test]
+    fn who_listens_can_break_it_off() {
+        let mut heard = 0;
+        // It would go on for ever.
+        listen_to(
+            |say| (0_u64..).take_while(|message| say(*message).is_continue()).count(),
+            &mut |_| {
+                heard += 1;
+                ControlFlow::Break(())
+            },
+        );
+        assert!(heard >= 1);
     }
 
     #[cfg(feature = "parallel")]

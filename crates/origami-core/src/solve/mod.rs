@@ -8,6 +8,7 @@
 //! has, and one alone for a fold that is itself on a thread of a pool, as those of a batch are. `threads` of the settings
 //! says otherwise.
 
+mod bare_kernel;
 mod clock;
 mod driver;
 pub mod dynamics;
@@ -37,6 +38,8 @@ mod sweep;
 mod threads;
 pub mod time_step;
 
+#[doc(hidden)]
+pub use bare_kernel::BareKernel;
 pub use driver::{Folded, Instance, Progress, Session, Solver, Stop, unwatched};
 pub use dynamics::Dynamics;
 pub use engine::{CpuEngine, Engine, Method, Report};

@@ -12,7 +12,7 @@ use std::thread;
 
 use origami::measure::align;
 use origami::{Folded, Model, Relax, Solver, State};
-use scenes::Scene;
+use scenes::Case;
 
 /// Larger sheets take too long for all of these runs.
 const MOST_NODES: usize = 700;
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn table(scenes: &[Scene], choices: &[Choice]) -> Result<(), Box<dyn Error>> {
+fn table(scenes: &[Case], choices: &[Choice]) -> Result<(), Box<dyn Error>> {
     let outcomes = outcomes(scenes, choices)?;
     println!(
         "| ramp | perturbation | runs | converged | tangled | higher | off by 1e-4 | by 3e-4 | to 1e-4: median | 90 % | \
@@ -84,7 +84,7 @@ fn table(scenes: &[Scene], choices: &[Choice]) -> Result<(), Box<dyn Error>> {
 }
 
 /// By run, then by choice, without runs that diverge with one of the choices.
-fn outcomes(scenes: &[Scene], choices: &[Choice]) -> Result<Vec<Vec<Outcome>>, Box<dyn Error>> {
+fn outcomes(scenes: &[Case], choices: &[Choice]) -> Result<Vec<Vec<Outcome>>, Box<dyn Error>> {
     let runs = scenes.iter().flat_map(|scene| {
         let seeds = SEEDS.into_iter().filter(|seed| *seed == 0 || scene.plain);
         seeds.flat_map(move |seed| [60.0, 100.0].map(|percent| (scene, seed, percent)))
@@ -118,7 +118,7 @@ fn outcome(model: &Model, percent: f64, seed: u64, (ramp, perturbation): Choice)
     let length = (ramp * (model.node_count() as f64 / 300.0).max(1.0).sqrt()) as u32;
     let relax = Relax { ramp: Some(length), perturbation, max_steps: 30_000, ..Relax::default() };
     let fold =
-        |relax: &Relax| -> Option<Folded> { relax.fold(model, &start, &Scene::percent(percent), &mut unwatched).ok() };
+        |relax: &Relax| -> Option<Folded> { relax.fold(model, &start, &origami::scene::Scene::percent(percent), &mut unwatched).ok() };
     let distance = |a: &Folded, b: &Folded| align(&a.state.positions, &b.state.positions).max;
 
     let claim = fold(&relax)?;

@@ -73,7 +73,7 @@ const VARIATIONS: &[(&str, &str)] = &[
 ];
 
 /// A sheet to be folded.
-pub(crate) struct Scene {
+pub(crate) struct Case {
     pub(crate) name: String,
     pub(crate) model: Model,
     /// Whether its material is the default.
@@ -81,7 +81,7 @@ pub(crate) struct Scene {
 }
 
 /// All sheets: generated ones, those of `files`, and the smaller of either with soft facets and with stiff creases.
-pub(crate) fn all(files: &[String]) -> Result<Vec<Scene>, Box<dyn Error>> {
+pub(crate) fn all(files: &[String]) -> Result<Vec<Case>, Box<dyn Error>> {
     let mut patterns = Vec::new();
     for name in catalog::names() {
         patterns.push(((*name).to_owned(), true, catalog::generate(name, &[])?));
@@ -107,14 +107,14 @@ pub(crate) fn all(files: &[String]) -> Result<Vec<Scene>, Box<dyn Error>> {
                 ("soft facets", Material { k_facet: 0.1 * default.k_facet, ..default }),
                 ("stiff creases", Material { k_fold: 10.0 * default.k_fold, ..default }),
             ] {
-                scenes.push(Scene {
+                scenes.push(Case {
                     name: format!("{name}, {kind}"),
                     model: Model::new(&pattern, &material)?,
                     plain: false,
                 });
             }
         }
-        scenes.push(Scene { name, model: plain, plain: true });
+        scenes.push(Case { name, model: plain, plain: true });
     }
     Ok(scenes)
 }

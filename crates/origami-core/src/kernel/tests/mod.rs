@@ -57,7 +57,10 @@ impl Scene {
         let mut forces = Forces::new(&self.model);
         let values = forces.evaluate(&self.positions, &self.targets, &mut angles);
         if damped {
-            damping::add(&self.model, &self.velocities, values);
+            // What is held does not move.
+            let (mut velocities, held) = (self.velocities.clone(), Held::new(&self.model, &Surroundings::default()));
+            held.clear(&mut velocities);
+            damping::add(&self.model, &velocities, values);
         }
         (values.to_vec(), angles)
     }

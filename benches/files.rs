@@ -57,7 +57,8 @@ fn files(c: &mut Criterion) {
 fn at_rest(model: &Model) -> Folded {
     Folded {
         state: State::at_rest(model),
-        percent: 0.0,
+        targets: origami::Targets::percent(0.0),
+        reactions: Vec::new(),
         stop: Stop::StepsDone,
         steps: 0,
         time_step: 0.0,

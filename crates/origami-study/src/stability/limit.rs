@@ -186,7 +186,7 @@ mod tests {
 
     fn found(pattern: &CreasePattern, material: Material, integrator: Integrator) -> f64 {
         let model = Model::new(pattern, &material).expect("a sheet");
-        let guess = time_step::safe(&model, &model.rest, integrator) / time_step::SAFE_SHARE;
+        let guess = time_step::safe(&model, &model.rest, integrator) / origami_core::twins::safe_time_step::SAFE_SHARE;
         largest(&model, &State::at_rest(&model), integrator, guess, EFFORT).expect("there is a limit")
     }
 

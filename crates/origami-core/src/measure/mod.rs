@@ -5,6 +5,7 @@ mod alignment;
 mod angles;
 mod closure;
 mod dangers;
+mod eigen;
 mod strain;
 mod summary;
 

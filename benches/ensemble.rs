@@ -6,9 +6,9 @@
 
 mod shared;
 
-use std::ops::ControlFlow;
 use origami::scene::Scene;
 use std::hint::black_box;
+use std::ops::ControlFlow;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use origami::generate::BirdBase;

@@ -4,11 +4,11 @@
 
 mod shared;
 
-use origami::scene::Scene;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use origami::gpu::Dispatch;
 use origami::ids::VertexId;
 use origami::pattern::{Assignment, PatternEdge};
+use origami::scene::Scene;
 use origami::solve::{Instance, TimeStep};
 use origami::{CreasePattern, Dynamics, Material, Relax, Solver, State, generate};
 use shared::{HARDWARE, Place, SOFTWARE, bench_ensemble, bench_session, model, on_the_way, steps};

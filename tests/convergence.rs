@@ -128,7 +128,14 @@ fn states_along_the_way_are_settled_each() {
     let model = made("square-twist");
     let percents = origami::solve::frame_percents(80.0, 4);
     assert_eq!(percents, [0.0, 20.0, 40.0, 60.0, 80.0]);
-    let states = origami::solve::fold_path(&model, &Relax::default(), &percents, &mut |_, _| std::ops::ControlFlow::Continue(())).expect("holds");
+    let states =
+        origami::solve::fold_path(
+            &model,
+            &Relax::default(),
+            &percents,
+            &mut |_, _| std::ops::ControlFlow::Continue(()),
+        )
+        .expect("holds");
     for (state, percent) in states.iter().zip(percents) {
         assert!(state.converged());
         assert_eq!(state.percent(), Some(percent));

@@ -286,7 +286,8 @@ fn a_path_in_one_session_is_the_same_as_stage_by_stage() {
     let model = sheet("bird base");
     let solver = gpu.with(Relax::default());
     let percents = [0.0, 30.0, 60.0, 45.0];
-    let path = fold_path(&model, &solver, &percents, &mut |_, _| std::ops::ControlFlow::Continue(())).expect("it holds");
+    let path =
+        fold_path(&model, &solver, &percents, &mut |_, _| std::ops::ControlFlow::Continue(())).expect("it holds");
     let mut state = State::at_rest(&model);
     for (stage, percent) in path.iter().zip(percents) {
         let alone = solver.fold(&model, &state, &Scene::percent(percent), &mut unwatched).expect("it holds");

@@ -189,7 +189,8 @@ fn stiff_sheets_are_solved_as_far_as_rounding_allows() {
 fn the_same_input_gives_the_same_bits_in_a_session_too() {
     let model = made("square-twist");
     let solver = Newton::default();
-    let states = fold_path(&model, &solver, &[30.0, 60.0], &mut |_, _| std::ops::ControlFlow::Continue(())).expect("holds");
+    let states =
+        fold_path(&model, &solver, &[30.0, 60.0], &mut |_, _| std::ops::ControlFlow::Continue(())).expect("holds");
     let first = fold(&model, &solver, 30.0);
     assert_eq!(states[0].state, first.state);
     let second = solver.fold(&model, &first.state, &Scene::percent(60.0), &mut unwatched).expect("holds");

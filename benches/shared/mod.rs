@@ -1,9 +1,9 @@
 //! What the benches of the GPU share: the adapter, the scenes, and how the time of a step is taken.
 #![expect(dead_code, reason = "each bench uses what it needs")]
 
-use std::ops::ControlFlow;
 use origami::scene::Scene;
 use origami::solve::unwatched;
+use std::ops::ControlFlow;
 use std::sync::{Mutex, OnceLock};
 use std::time::{Duration, Instant};
 

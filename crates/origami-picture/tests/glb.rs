@@ -13,7 +13,10 @@ struct Folded {
 fn folded(frames: u32) -> Folded {
     let pattern = catalog::generate("miura", &[]).expect("a pattern");
     let model = Model::new(&pattern, &Material::default()).expect("a model");
-    let path = fold_path(&model, &Relax::default(), &frame_percents(60.0, frames), &mut |_, _| std::ops::ControlFlow::Continue(())).expect("states");
+    let path = fold_path(&model, &Relax::default(), &frame_percents(60.0, frames), &mut |_, _| {
+        std::ops::ControlFlow::Continue(())
+    })
+    .expect("states");
     let states = path.iter().map(|f| f.state.positions.iter().map(|p| p.to_array().map(|x| x as f32)).collect());
     let last = &path.last().expect("the first").state;
     let map = Map::new(Quantity::Strain, &model, last, ColourMap::Viridis, None);

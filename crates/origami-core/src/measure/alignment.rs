@@ -1,10 +1,12 @@
 //! Distance between two states after the best rigid motion.
 //!
-//! W. Kabsch, Acta Crystallographica A32 (1976) 922: the rotation that brings one set of points nearest to another in the
-//! least squares sense, from the singular value decomposition of their covariance. Reflections are not rigid motions.
+//! B. K. P. Horn, Journal of the Optical Society of America A 4 (1987) 629: the rotation that brings one set of points
+//! nearest to another in the least squares sense is the eigenvector of a symmetric matrix, as a quaternion. It is never a
+//! reflection, which is no rigid motion.
 
-use glam::DVec3;
-use nalgebra::{Matrix3, Vector3};
+use glam::{DMat3, DQuat, DVec3};
+
+use super::eigen::largest_eigenvector;
 
 /// How two states differ when one has been laid upon the other.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,18 +31,9 @@ pub fn align(points: &[DVec3], onto: &[DVec3]) -> Alignment {
         return Alignment { max: 0.0, rms: 0.0, moved: Vec::new() };
     }
     let (from, to) = (centroid(points), centroid(onto));
-    let mut covariance = Matrix3::zeros();
-    for (p, q) in points.iter().zip(onto) {
-        covariance += vector(*q - to) * vector(*p - from).transpose();
-    }
+    let covariance = points.iter().zip(onto).fold(DMat3::ZERO, |sum, (p, q)| sum + outer(*p - from, *q - to));
     let rotation = rotation(covariance);
-    let moved: Vec<DVec3> = points
-        .iter()
-        .map(|p| {
-            let turned = rotation * vector(*p - from);
-            DVec3::new(turned.x, turned.y, turned.z) + to
-        })
-        .collect();
+    let moved: Vec<DVec3> = points.iter().map(|p| rotation * (*p - from) + to).collect();
     let distances = || moved.iter().zip(onto).map(|(p, q)| p.distance(*q));
     let rms = (distances().map(|d| d * d).sum::<f64>() / points.len() as f64).sqrt();
     // `f64::max` drops NaN: what is nowhere is not near.
@@ -52,23 +45,30 @@ fn centroid(points: &[DVec3]) -> DVec3 {
     points.iter().sum::<DVec3>() / points.len() as f64
 }
 
-fn vector(p: DVec3) -> Vector3<f64> {
-    Vector3::new(p.x, p.y, p.z)
+/// The products of the coordinates: `p`'s by column, `q`'s by row.
+fn outer(p: DVec3, q: DVec3) -> DMat3 {
+    DMat3::from_cols(q * p.x, q * p.y, q * p.z)
 }
 
-/// The proper rotation nearest to `covariance`; none where it is not finite.
-fn rotation(covariance: Matrix3<f64>) -> Matrix3<f64> {
-    let svd = covariance.iter().all(|x| x.is_finite()).then(|| covariance.svd(true, true));
-    let Some((Some(u), Some(v_t))) = svd.map(|s| (s.u, s.v_t)) else { return Matrix3::identity() };
-    // A reflection would fit better: turn the axis of the smallest singular value, which comes last, back.
-    let handedness = (u * v_t).determinant().signum();
-    u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, handedness)) * v_t
+/// The rotation that turns the first points nearest to the second, from the sum of the products of their coordinates; none
+/// where it is not finite.
+fn rotation(covariance: DMat3) -> DMat3 {
+    if !covariance.is_finite() {
+        return DMat3::IDENTITY;
+    }
+    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = covariance.to_cols_array_2d();
+    let [w, x, y, z] = largest_eigenvector([
+        [xx + yy + zz, yz - zy, zx - xz, xy - yx],
+        [yz - zy, xx - yy - zz, xy + yx, zx + xz],
+        [zx - xz, xy + yx, yy - xx - zz, yz + zy],
+        [xy - yx, zx + xz, yz + zy, zz - xx - yy],
+    ]);
+    DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DQuat;
 
     fn shape() -> Vec<DVec3> {
         (0..20).map(f64::from).map(|i| DVec3::new((2.1 * i).sin(), (1.3 * i).cos(), (0.7 * i).sin() * 0.4)).collect()

@@ -4,6 +4,7 @@
 mod alignment;
 mod angles;
 mod closure;
+mod eigen;
 mod scene_warnings;
 mod strain;
 mod summary;

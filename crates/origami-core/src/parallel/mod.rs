@@ -48,13 +48,10 @@ mod tests {
     fn who_listens_can_break_it_off() {
         let mut heard = 0;
         // It would go on for ever.
-        listen_to(
-            |say| (0_u64..).take_while(|message| say(*message).is_continue()).count(),
-            &mut |_| {
-                heard += 1;
-                ControlFlow::Break(())
-            },
-        );
+        listen_to(|say| (0_u64..).take_while(|message| say(*message).is_continue()).count(), &mut |_| {
+            heard += 1;
+            ControlFlow::Break(())
+        });
         assert!(heard >= 1);
     }
 

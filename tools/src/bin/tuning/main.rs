@@ -117,8 +117,9 @@ fn outcome(model: &Model, percent: f64, seed: u64, (ramp, perturbation): Choice)
     };
     let length = (ramp * (model.node_count() as f64 / 300.0).max(1.0).sqrt()) as u32;
     let relax = Relax { ramp: Some(length), perturbation, max_steps: 30_000, ..Relax::default() };
-    let fold =
-        |relax: &Relax| -> Option<Folded> { relax.fold(model, &start, &origami::scene::Scene::percent(percent), &mut unwatched).ok() };
+    let fold = |relax: &Relax| -> Option<Folded> {
+        relax.fold(model, &start, &origami::scene::Scene::percent(percent), &mut unwatched).ok()
+    };
     let distance = |a: &Folded, b: &Folded| align(&a.state.positions, &b.state.positions).max;
 
     let claim = fold(&relax)?;

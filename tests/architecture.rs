@@ -113,7 +113,7 @@ fn of_tests(file: &Path) -> bool {
 
 /// The lines of code before the tests, without comments.
 fn code(text: &str) -> impl Iterator<Item = &str> {
-    let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let code = text.split("\nmod tests {").next().unwrap_or_default();
     code.lines().map(|line| line.split("//").next().unwrap_or_default())
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::time_step::{self, Safe};
-use super::{Dynamics, State, TimeStep};
+use super::{Integrator, State, TimeStep};
 use crate::kernel::{Compute, Kernel};
 use crate::model::Model;
 use crate::scene::Force;
@@ -21,9 +21,9 @@ pub(super) struct Clock {
 }
 
 impl Clock {
-    pub(super) fn new(solver: &Dynamics, model: &Model) -> Self {
-        let safe = (solver.time_step == TimeStep::Safe).then(|| Safe::new(model, solver.integrator));
-        let dt = match solver.time_step {
+    pub(super) fn new(time_step: TimeStep, integrator: Integrator, model: &Model) -> Self {
+        let safe = (time_step == TimeStep::Safe).then(|| Safe::new(model, integrator));
+        let dt = match time_step {
             TimeStep::Paper | TimeStep::Safe => time_step::paper(model),
             TimeStep::Fixed(dt) => dt,
         };

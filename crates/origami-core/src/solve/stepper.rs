@@ -16,7 +16,7 @@ use super::{Folded, Integrator, Progress, REPORT, State, Stop};
 use crate::forces::{Forces, damping};
 use crate::kernel::{Bounds, Compute, Kernel};
 use crate::model::Model;
-use crate::scene::{Scene, Targets};
+use crate::scene::{Held, Scene, Targets};
 use crate::twins::checkpoint::COPY_EVERY;
 use crate::twins::fire_update::HOLD;
 use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
@@ -248,25 +248,31 @@ impl<R: Compute> Stepper<R> {
         // A large sheet's forces need the memory.
         drop((kernel, surroundings, mover, settling, guard));
         let mut state = State { targets: ramp.into_asked(), ..state };
-        let mut forces = Forces::holding(model, scene, held);
-        let residual = largest(forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles));
-        let reactions = forces.reactions().to_vec();
+        let mut forces = Forces::holding(model, scene, held.clone());
+        let values = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles);
+        let residual = largest(values);
         if relaxed {
             state.velocities.fill(DVec3::ZERO);
         } else if half_a_step > 0.0 {
-            arrive(model, &mut forces, &mut state, &accelerations, half_a_step);
+            arrive(model, &held, &mut state, (&accelerations, values), half_a_step);
         }
+        let reactions = forces.reactions().to_vec();
         Folded { state, targets, stop, steps, time_step, residual, distance, attempts: 1, reactions }
     }
 }
 
 /// Ends the last step of [`Integrator::Verlet`], whose velocity is extrapolated to its end by the accelerations `before`.
-fn arrive(model: &Model, forces: &mut Forces<'_>, state: &mut State, before: &[DVec3], half_a_step: f64) {
-    let held = forces.held().clone();
-    let now = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles);
+/// The forces `now` are those without damping.
+fn arrive(
+    model: &Model,
+    held: &Held,
+    state: &mut State,
+    (before, now): (&[DVec3], &mut [DVec3]),
+    half_a_step: f64,
+) {
     damping::add(model, &state.velocities, now);
     held.clear(now);
-    for ((v, force), before) in state.velocities.iter_mut().zip(now).zip(before) {
+    for ((v, force), before) in state.velocities.iter_mut().zip(now.iter()).zip(before) {
         *v += (*force - *before) * half_a_step;
     }
 }

@@ -180,7 +180,9 @@ fn a_fold_that_is_broken_off_hands_back_what_it_had() {
     use std::ops::ControlFlow;
     for (name, threads) in [("miura", None), ("miura", std::num::NonZeroUsize::new(2))] {
         let model = model(name);
-        let relax = Relax { threads, ..Relax::default() };
+        // It would go on for a long time; who listens beside several threads may be late.
+        let most = 5_000_000;
+        let relax = Relax { threads, tolerance: 1e-30, max_steps: most, ..Relax::default() };
         let mut reports = 0;
         let folded = relax.fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut |progress| {
             reports += 1;
@@ -188,7 +190,7 @@ fn a_fold_that_is_broken_off_hands_back_what_it_had() {
         });
         let folded = folded.expect("no error");
         assert_eq!(folded.stop, Stop::Cancelled);
-        assert!((100..=200).contains(&folded.steps) && reports >= 2, "{} steps", folded.steps);
+        assert!((100..most).contains(&folded.steps) && reports >= 2, "{} steps", folded.steps);
         assert!(farthest(&folded.state.positions, &model.rest) > 1e-3, "it had come somewhere");
     }
 }
@@ -317,4 +319,25 @@ fn a_fixed_vertex_of_the_file_is_held_in_every_scene() {
     simulation.unpin(pin).expect("held once");
     simulation.step(500).expect("holds");
     assert_eq!(simulation.positions().expect("read").get(node), Some(model.rest[node.index()]));
+}
+
+/// Written down as JSON and read again: another process goes on bit for bit.
+#[cfg(feature = "serde")]
+#[test]
+fn it_goes_on_bit_for_bit_from_a_file() {
+    let model = model("bird-base");
+    let method = Dynamics { integrator: Integrator::Verlet, time_step: TimeStep::Safe, ..Dynamics::default() };
+    let scene = Scene::percent(50.0).with_load(Load { node: NodeId(1), force: 1e-4 * DVec3::Z });
+    let rest = State::at_rest(&model);
+    let mut simulation = Simulation::in_scene(model.clone(), method.clone(), &scene, rest).expect("it runs");
+    simulation.step(77).expect("holds");
+    let text = serde_json::to_string(&simulation.save().expect("saved")).expect("JSON");
+    let settings = serde_json::to_string(&method).expect("JSON");
+    let method: Dynamics = serde_json::from_str(&settings).expect("settings");
+    let saved = serde_json::from_str(&text).expect("what was written");
+    let mut again = Simulation::restore(model, method, &Scene::default(), &saved).expect("it fits");
+    assert_eq!(again.targets().label(), Some(50.0));
+    again.step(500).expect("holds");
+    simulation.step(500).expect("holds");
+    assert_eq!(again.state().expect("read"), simulation.state().expect("read"));
 }

@@ -101,7 +101,11 @@ impl Dynamics {
         let ramp = Ramp::new(&start.targets, targets, self.ramp);
         let moving = (start.positions.clone(), &start.velocities[..]);
         let damped = model.material.zeta > 0.0;
-        let mover = Mover::Dynamics { clock: Clock::new(self.time_step, self.integrator, model), integrator: self.integrator, damped };
+        let mover = Mover::Dynamics {
+            clock: Clock::new(self.time_step, self.integrator, model),
+            integrator: self.integrator,
+            damped,
+        };
         Stepper::new((model, start), scene, moving, (mover, ramp), self.tolerance, threads)
     }
 

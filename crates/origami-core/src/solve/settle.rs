@@ -28,7 +28,13 @@ impl Settling {
 
     fn with_stiffness(stiffness: &[f64], tolerance: f64) -> Self {
         let softness = stiffness.iter().map(|k| 1.0 / k).collect();
-        Self { tolerance, softness, windows: Windows::default(), before: Vec::new(), distance: None }
+        Self {
+            tolerance,
+            softness,
+            windows: Windows::default(),
+            before: Vec::with_capacity(stiffness.len()),
+            distance: None,
+        }
     }
 
     /// Whether a window ends with the next evaluation.

@@ -263,13 +263,7 @@ impl<R: Compute> Stepper<R> {
 
 /// Ends the last step of [`Integrator::Verlet`], whose velocity is extrapolated to its end by the accelerations `before`.
 /// The forces `now` are those without damping.
-fn arrive(
-    model: &Model,
-    held: &Held,
-    state: &mut State,
-    (before, now): (&[DVec3], &mut [DVec3]),
-    half_a_step: f64,
-) {
+fn arrive(model: &Model, held: &Held, state: &mut State, (before, now): (&[DVec3], &mut [DVec3]), half_a_step: f64) {
     damping::add(model, &state.velocities, now);
     held.clear(now);
     for ((v, force), before) in state.velocities.iter_mut().zip(now.iter()).zip(before) {

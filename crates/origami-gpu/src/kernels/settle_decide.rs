@@ -58,7 +58,7 @@ mod tests {
         ] {
             let [largest, least, ahead, change] = found;
             write(&bench, largest, least, ahead, change);
-            bench.change_control(|c| (c.checks, c.window_end) = (1, 1));
+            bench.change_control(|c| (c.checks, c.window_end, c.window_is_sound) = (1, 1, 1));
             bench.run(&[&KERNEL], false);
             let got = bench.control().distance;
             assert!((got / wanted - 1.0).abs() < 1e-6, "{found:?}: {got} is not {wanted}");

@@ -238,7 +238,7 @@ impl solve::Engine for GpuEngine {
         let loaded = self.engine.outside().loaded;
         if loads.iter().any(|load| !loaded.contains(&load.node)) {
             return Err(
-                self.refused("loads on other nodes", "those that it began with, where a force can be 0 at first")
+                self.refused("loads on other nodes", "those that it began with (a load of 0 keeps room for another)")
             );
         }
         let written = self.engine.gpu.scoped(|| {

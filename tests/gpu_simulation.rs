@@ -7,6 +7,7 @@ use std::ops::ControlFlow;
 
 use common::gpu::gpu;
 use common::{largest_distance, made};
+use origami::forces::Forces;
 use origami::glam::DVec3;
 use origami::gpu::{Dispatch, Gpu, GpuMethod};
 use origami::ids::NodeId;
@@ -31,13 +32,14 @@ fn dynamics(integrator: Integrator) -> Dynamics {
     Dynamics { time_step: TimeStep::Safe, integrator, ..Dynamics::default() }
 }
 
-/// A corner that hangs on two supports, one of them prescribed, with two loads on one node and one on another.
+/// A sheet that hangs on an edge and on a corner whose height is prescribed, with two loads on one node and one on another.
 fn hung(model: &Model) -> Scene {
     let last = NodeId::new(model.node_count() - 1);
     let lifted = model.rest[last.index()] + DVec3::new(0.0, 0.0, 0.05);
     let load = |node, force| Load { node: NodeId(node), force };
     Scene::percent(40.0)
         .with_support(Support::fixed(NodeId(0)))
+        .with_support(Support::fixed(NodeId(1)))
         .with_support(Support::along(last, Axes::Z).at(lifted))
         .with_load(load(5, DVec3::new(0.0, 0.0, -2e-3)))
         .with_load(load(9, DVec3::new(1e-3, 0.0, 0.0)))
@@ -70,15 +72,22 @@ fn supports_and_loads_act_as_on_the_processor() {
             let far = largest_distance(&ours.state.positions, &theirs.state.positions);
             println!("{integrator:?}: {far:.1e} radii apart, reactions {:.1e}", forces_apart(&ours, &theirs));
             assert!(far < TRAJECTORY && forces_apart(&ours, &theirs) < FORCE, "{far}");
-            let other = Scene { loads: scene.loads[..2].to_vec(), ..scene.clone() };
+            let mut other = scene.clone();
+            other.loads.pop();
             let other = fold(&method, &model, &other);
             assert!(largest_distance(&ours.state.positions, &other.state.positions) > TRAJECTORY, "a load is seen");
         }
     }
-    let method = Relax { tolerance: 1e-5, ..Relax::default() };
+    let method = Relax::default();
     let (ours, theirs) = (fold(&gpu.with(method.clone()), &model, &scene), fold(&method, &model, &scene));
     let far = largest_distance(&ours.state.positions, &theirs.state.positions);
-    assert!(ours.converged() && theirs.converged() && far < EQUILIBRIUM, "{far} radii apart");
+    println!("{far:.1e} radii apart, {} and {} evaluations", ours.steps, theirs.steps);
+    assert!(
+        ours.converged() && theirs.converged() && far < EQUILIBRIUM,
+        "{far} radii apart, {:?}, {:?}",
+        ours.stop,
+        theirs.stop
+    );
     // At the equilibrium supports carry all loads.
     let held: DVec3 = ours.reactions.iter().map(|reaction| reaction.force).sum();
     let loaded: DVec3 = scene.loads.iter().map(|load| load.force).sum();
@@ -98,7 +107,7 @@ fn held_axes_stay_and_the_others_do_not() {
     let moved = |node: usize| folded.state.positions[node] - start.positions[node];
     assert!((folded.state.positions[last].z - model.rest[last].z - 0.05).abs() < 1e-9, "where it is prescribed");
     assert!(moved(last).truncate().length() > 1e-3, "free in its plane");
-    assert!(moved(0).length() < 1e-9 && moved(1).length() > 1e-3);
+    assert!(moved(0).length() < 1e-9 && moved(7).length() > 1e-3);
 }
 
 #[test]
@@ -297,13 +306,13 @@ fn loads_of_a_simulation_can_be_changed_and_reactions_read() {
     let Some(gpu) = gpu() else { return };
     let model = made("miura");
     let load = |z| vec![Load { node: NodeId(5), force: DVec3::Z * z }];
-    let scene = Scene { loads: load(0.0), ..Scene::default().with_support(Support::fixed(NodeId(0))) };
+    let scene = Scene::default().with_support(Support::fixed(NodeId(0))).with_load(load(0.0)[0]);
     let start = State::at_rest(&model);
     let method = dynamics(Integrator::Euler);
     let mut ours =
         Simulation::in_scene(model.clone(), gpu.with(method.clone()), &scene, start.clone()).expect("it fits");
     let mut theirs = Simulation::in_scene(model.clone(), method, &scene, start).expect("it fits");
-    for z in [1e-3, -2e-3] {
+    for z in [0.02, -0.04] {
         ours.set_loads(load(z)).expect("a node that has a load");
         theirs.set_loads(load(z)).expect("a node");
         ours.step(60).expect("it holds");
@@ -311,11 +320,17 @@ fn loads_of_a_simulation_can_be_changed_and_reactions_read() {
         let (one, two) = (ours.state().expect("read"), theirs.state().expect("read"));
         let far = largest_distance(&one.positions, &two.positions);
         assert!(far < TRAJECTORY, "{far} radii apart");
-        assert!(largest_distance(&one.positions, &model.rest) > 1e-4, "it moves");
-        let reactions = [ours.reactions().expect("read"), theirs.reactions().expect("read")];
-        assert_eq!(reactions[0].len(), 1);
-        // The processor's are those of the last evaluation, a step before.
-        assert!(reactions[0][0].force.distance(reactions[1][0].force) < 0.05, "{reactions:?}");
+        let moved = largest_distance(&two.positions, &model.rest);
+        println!("{far:.1e} radii apart after moving {moved:.1e}");
+        assert!(moved > 10.0 * TRAJECTORY, "it moves: {moved}");
+        // Those of the state that was read: the processor's own are of the evaluation before its last move.
+        let scene = scene.clone().with_load(load(z)[0]);
+        let mut forces = Forces::in_scene(&model, &scene);
+        forces.evaluate(&two.positions, &two.targets, &mut two.fold_angles.clone());
+        let (found, wanted) = (ours.reactions().expect("read"), forces.reactions());
+        assert_eq!((found.len(), found[0].node), (1, NodeId(0)));
+        let size = wanted[0].force.length();
+        assert!(found[0].force.distance(wanted[0].force) < 1e-2 * size, "{found:?} and {wanted:?}");
     }
 }
 

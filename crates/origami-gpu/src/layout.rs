@@ -3,6 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 use origami_core::scene::Axes;
+use origami_core::twins::settle_decide::{LEAST, SHORTEST, WINDOWS};
 
 /// The length of one unit of [`Node::high`], in radii.
 pub(crate) const QUANTUM: f64 = 1.0 / 4096.0;
@@ -133,6 +134,20 @@ pub(crate) struct Control {
     pub(crate) k_facet: f32,
     pub(crate) k_face: f32,
     pub(crate) zeta: f32,
+}
+
+impl Control {
+    /// As `Windows::disturb` of the core: what the sheet looked like before counts no more.
+    pub(crate) fn disturb(&mut self) {
+        (self.settled_windows, self.window_is_sound, self.disturbed_at) = (0, 0, self.checks);
+        self.window_end = self.window_end.min(self.checks + 1);
+        self.distance = f32::INFINITY;
+    }
+
+    /// As `Windows::has_settled` of the core: whether the last windows had all settled.
+    pub(crate) fn has_settled(&self) -> bool {
+        self.settled_windows >= WINDOWS && u64::from(self.checks) * SHORTEST > LEAST
+    }
 }
 
 /// A crease that never changes.

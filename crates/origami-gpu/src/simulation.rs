@@ -9,7 +9,6 @@ use origami_core::ids::NodeId;
 use origami_core::model::Model;
 use origami_core::scene::{Axes, Held, Load, Reaction, Refusal, Scene, Support, Targets};
 use origami_core::solve::{self, Failed, Folded, Instance, Positions, Report, Saved, State};
-use origami_core::twins::settle_decide::{LEAST, SHORTEST, WINDOWS};
 
 use crate::engine::Engine;
 use crate::error::GpuError;
@@ -24,7 +23,7 @@ use crate::solver::OnGpu;
 
 /// A sheet in motion on a GPU. [`Simulation`](origami_core::solve::Simulation) is its interface for programs.
 ///
-/// Positions, velocities and all that moves them stay on the device: a call that takes steps reads 148 bytes at its end.
+/// Positions, velocities and all that moves them stay on the device: a call that takes steps reads where it stands, no more.
 /// [`GpuEngine::positions_buffer`] is where others can draw from.
 #[derive(Debug)]
 pub struct GpuEngine {
@@ -101,18 +100,10 @@ impl GpuEngine {
         self.changed |= self.control != before;
     }
 
-    /// As `Windows::disturb` of the core: what the sheet looked like before counts no more.
+    /// Something has changed that the sheet has yet to follow.
     fn disturb(&mut self) {
-        self.change(|c| {
-            (c.settled_windows, c.window_is_sound, c.disturbed_at) = (0, 0, c.checks);
-            c.window_end = c.window_end.min(c.checks + 1);
-            c.distance = f32::INFINITY;
-        });
+        self.change(Control::disturb);
         self.stale = true;
-    }
-
-    fn has_settled(&self) -> bool {
-        self.control.settled_windows >= WINDOWS && u64::from(self.control.checks) * SHORTEST > LEAST
     }
 
     /// The targets of the last evaluation.
@@ -207,7 +198,7 @@ impl GpuEngine {
 
 impl solve::Engine for GpuEngine {
     fn advance(&mut self, steps: u64, until_settled: bool) -> Result<Report, Failed> {
-        let stands = self.control.bad_node != NONE || until_settled && self.has_settled();
+        let stands = self.control.bad_node != NONE || until_settled && self.control.has_settled();
         if steps > 0 && !stands {
             self.run(steps, until_settled).map_err(|error| self.gave_up(error))?;
         }
@@ -224,7 +215,7 @@ impl solve::Engine for GpuEngine {
     fn report(&self) -> Report {
         Report {
             steps: u64::from(self.control.step),
-            settled: self.has_settled(),
+            settled: self.control.has_settled(),
             distance: distance(&self.control),
             ramp: ramp_share(&self.control),
         }
@@ -291,7 +282,7 @@ impl solve::Engine for GpuEngine {
         let Some(mut ending) = endings.pop() else {
             return Err(self.gave_up(GpuError::Refused("the state could not be read".to_owned())));
         };
-        ending.control = Control { stop: if self.has_settled() { SETTLED } else { 0 }, ..self.control };
+        ending.control = Control { stop: if self.control.has_settled() { SETTLED } else { 0 }, ..self.control };
         let scene = self.scene.with_targets(targets);
         let instance = Instance { model: &self.model, start: State::default(), scene };
         folded(&instance, self.held, self.to, true, &ending, self.engine.variant.scheme)

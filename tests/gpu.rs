@@ -286,8 +286,7 @@ fn a_path_in_one_session_is_the_same_as_stage_by_stage() {
     let model = sheet("bird base");
     let solver = gpu.with(Relax::default());
     let percents = [0.0, 30.0, 60.0, 45.0];
-    let path =
-        fold_path(&model, &solver, &percents, &mut |_, _| std::ops::ControlFlow::Continue(())).expect("it holds");
+    let path = fold_path(&model, &solver, &percents, &mut |_, _| ControlFlow::Continue(())).expect("it holds");
     let mut state = State::at_rest(&model);
     for (stage, percent) in path.iter().zip(percents) {
         let alone = solver.fold(&model, &state, &Scene::percent(percent), &mut unwatched).expect("it holds");
@@ -319,7 +318,10 @@ fn progress_is_told_in_order() {
     let mut told = Vec::new();
     let solver = gpu.with(Relax::default());
     let folded = solver
-        .fold(&model, &start(&model), &Scene::percent(50.0), &mut |progress| told.push(progress))
+        .fold(&model, &start(&model), &Scene::percent(50.0), &mut |progress| {
+            told.push(progress);
+            ControlFlow::Continue(())
+        })
         .expect("it holds");
     assert!(told.len() > 5, "{} reports", told.len());
     assert!(told.windows(2).all(|pair| pair[0].step <= pair[1].step && pair[0].ramp <= pair[1].ramp));
@@ -381,11 +383,9 @@ fn same_as_alone<S: GpuMethod + Clone>(gpu: &Gpu, method: &S, dispatch: Dispatch
     let all = solver.fold_all(instances, &|_, _| ControlFlow::Continue(()));
     assert_eq!(all.len(), instances.len());
     for (i, (instance, together)) in instances.iter().zip(all).enumerate() {
-        let alone = solver
-            .fold(instance.model, &instance.start, &Scene::percent(instance.percent), &mut unwatched)
-            .expect("it holds");
+        let alone = solver.fold(instance.model, &instance.start, &instance.scene, &mut unwatched).expect("it holds");
         let together = together.expect("it holds");
-        assert_eq!((together.percent, together.steps, together.stop), (alone.percent, alone.steps, alone.stop), "{i}");
+        assert_eq!((together.targets, together.steps, together.stop), (alone.targets, alone.steps, alone.stop), "{i}");
         let far = apart(&together.state, &alone.state);
         assert!(far < TRAJECTORY, "instance {i}: {far} radii apart");
     }
@@ -431,8 +431,9 @@ fn ensembles_converge_as_on_the_processor() {
     for ((instance, ours), theirs) in instances.iter().zip(ours).zip(theirs) {
         let (ours, theirs) = (ours.expect("it holds"), theirs.expect("it holds"));
         let far = apart(&ours.state, &theirs.state);
-        println!("{} %: {far:.1e} radii apart, {} and {} evaluations", instance.percent, ours.steps, theirs.steps);
-        assert!(ours.converged() && theirs.converged() && far < EQUILIBRIUM, "{} %: {far}", instance.percent);
+        let asked = instance.scene.targets.label();
+        println!("{asked:?} %: {far:.1e} radii apart, {} and {} evaluations", ours.steps, theirs.steps);
+        assert!(ours.converged() && theirs.converged() && far < EQUILIBRIUM, "{asked:?} %: {far}");
         // At rest but for rounding, and told so as soon.
         assert!(ours.steps < theirs.steps + theirs.steps / 5, "{} and {} evaluations", ours.steps, theirs.steps);
     }

@@ -3,12 +3,14 @@
 //! Those of our own patterns are in `tests/reference`. Those of patterns that are not ours to ship are compared where
 //! `ORIGAMI_REFERENCE` names a folder with `patterns/*.fold` and `peer/*.p60.s300.json`.
 
-use origami::scene::Scene;
-use origami::solve::unwatched;
+#![expect(clippy::print_stdout, reason = "distances are shown with --nocapture")]
+
 use std::path::{Path, PathBuf};
 
 use origami::glam::DVec3;
 use origami::measure::{Strain, align};
+use origami::scene::Scene;
+use origami::solve::unwatched;
 use origami::{CreasePattern, Dynamics, Folded, Material, Model, Solver, State};
 use serde_json::Value;
 

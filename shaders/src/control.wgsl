@@ -37,13 +37,20 @@ struct Control {
     step: u32,
     limit: u32,
     bad_node: atomic<u32>,
+    // The part of the ramp that the evaluation at hand is at, and that of the evaluation before.
     ramp_step: u32,
+    ramp_before: u32,
     ramp_length: u32,
-    held: atomic<u32>,
+    // Whether a crease turns too fast, and whether the ramp waits because one did in the evaluation before.
+    too_fast: atomic<u32>,
+    ramp_waits: u32,
     // The stopping rule; time is counted in checks, one every CHECK_INTERVAL evaluations.
     checks: u32,
     window_end: u32,
     settled_windows: u32,
+    // The last disturbance, and whether the present window began after it.
+    disturbed_at: u32,
+    window_is_sound: u32,
     stops_when_settled: u32,
     distance: f32,
     tolerance: f32,

@@ -60,7 +60,10 @@ fn update_fire(instance: u32, sums: vec4<f32>) {
 
     control[instance].step += 1u;
     // The ramp waits while a crease turns too fast.
-    if (atomicExchange(&control[instance].held, 0u) == 0u) {
+    let waits = atomicExchange(&control[instance].too_fast, 0u);
+    control[instance].ramp_waits = waits;
+    control[instance].ramp_before = control[instance].ramp_step;
+    if (waits == 0u) {
         control[instance].ramp_step = min(control[instance].ramp_step + 1u, control[instance].ramp_length);
     }
     atomicStore(&control[instance].distance_squared_max, 0u);

@@ -14,7 +14,7 @@ fn fold_angle(instance: u32, c: u32) {
     let y = dot(s.along, cross(s.normal_two, s.normal_one)) / sqrt(s.along_squared);
     let angle = unwrapped(angle_of(y, dot(s.normal_one, s.normal_two)), previous);
     if (RELAXING && abs(angle - previous) > HOLD) {
-        atomicMax(&control[instance].held, 1u);
+        atomicMax(&control[instance].too_fast, 1u);
     }
     let share = ramp_share(instance);
     let target_now = crease_states[i].start_target * (1.0 - share) + crease_states[i].end_target * share;

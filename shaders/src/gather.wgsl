@@ -1,4 +1,5 @@
-// Sums what lies in the slots of a node, in fixed order: the same bits in every run.
+// Sums what lies in the slots of a node, in fixed order: the same bits in every run. Along the axes that hold it a node feels
+// nothing. The last slot of a loaded node is its load, which no pass writes.
 
 // The first slot of each node, and the end of the last.
 @group(0) @binding(6) var<storage, read> rows: array<u32>;
@@ -9,8 +10,9 @@ fn gathered(instance: u32, n: u32) -> vec4<f32> {
     for (var s = rows[n]; s < rows[n + 1u]; s++) {
         sum += slots[first + s];
     }
-    if (FIXED && nodes[instance * NODES + n].fixed_in_place != 0u) {
-        return vec4<f32>(0.0, 0.0, 0.0, sum.w);
+    if (FIXED) {
+        let held = (vec3<u32>(nodes[instance * NODES + n].held) & vec3<u32>(1u, 2u, 4u)) != vec3<u32>(0u);
+        return vec4<f32>(select(sum.xyz, vec3<f32>(0.0), held), sum.w);
     }
     return sum;
 }

@@ -20,7 +20,7 @@ fn estimate(found: vec4<f32>, tolerance: f32) -> f32 {
 fn decide_at_window(instance: u32, found: vec4<f32>) {
     let checks = control[instance].checks;
     if (window_ends(instance)) {
-        if (checks > 0u) {
+        if (control[instance].window_is_sound != 0u) {
             let distance = estimate(found, control[instance].tolerance);
             control[instance].distance = distance;
             let share = distance / control[instance].tolerance;
@@ -32,7 +32,9 @@ fn decide_at_window(instance: u32, found: vec4<f32>) {
                 control[instance].settled_windows = 0u;
             }
         }
-        control[instance].window_end = checks + max(1u, u32(ceil(SHARE_OF_PAST * f32(checks))));
+        let past = checks - control[instance].disturbed_at;
+        control[instance].window_end = checks + max(1u, u32(ceil(SHARE_OF_PAST * f32(past))));
+        control[instance].window_is_sound = 1u;
     }
     control[instance].checks = checks + 1u;
     let settled = control[instance].settled_windows >= WINDOWS && checks >= LEAST_CHECKS;

@@ -7,7 +7,8 @@ const PER_QUANTUM: f32 = 4096.0;
 
 struct Node {
     high: vec3<i32>,
-    fixed_in_place: u32,
+    // The axes along which it is held: bit 0 for x, 1 for y, 2 for z.
+    held: u32,
     low: vec3<f32>,
     mass: f32,
     velocity: vec3<f32>,

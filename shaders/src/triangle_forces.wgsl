@@ -74,6 +74,7 @@ fn advance_clock(instance: u32) {
         return;
     }
     control[instance].step += 1u;
+    control[instance].ramp_before = control[instance].ramp_step;
     control[instance].ramp_step = min(control[instance].ramp_step + 1u, control[instance].ramp_length);
     control[instance].previous_step = control[instance].time_step;
     control[instance].time_step = control[instance].next_step;

@@ -58,7 +58,7 @@ impl Source {
                     found.unwrap_or_else(|| panic!("{}: no file", files[0].display()))
                 }
             };
-            let path = [&path[..], &[name.clone()]].concat();
+            let path = [&path[..], std::slice::from_ref(&name)].concat();
             self.add(path, is_public_item(&module.vis), module.attrs.clone(), inner, &folder.join(&name), read);
         }
         self.modules.insert(path, Module { items, is_public, attributes });
@@ -79,7 +79,7 @@ impl Source {
             _ => {}
         }
         let module = self.modules.get(from)?;
-        let inner = [from, &[first.clone()]].concat();
+        let inner = [from, std::slice::from_ref(first)].concat();
         if !rest.is_empty() && self.modules.contains_key(&inner) {
             return self.resolve(&inner, rest);
         }

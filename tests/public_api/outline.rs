@@ -55,7 +55,7 @@ fn imported(source: &Source, from: &[String], import: &Import, attributes: &[Att
     if !named_there
         && let Some((module, own)) = source.resolve(from, &import.path)
         && !source.is_reachable(&module)
-        && !source.modules.contains_key(&[&module[..], &[own.clone()]].concat())
+        && !source.modules.contains_key(&[&module[..], std::slice::from_ref(&own)].concat())
     {
         return defined(source, &module, &own);
     }

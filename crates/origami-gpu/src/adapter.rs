@@ -88,14 +88,14 @@ pub struct AdapterSummary {
 }
 
 impl AdapterSummary {
-    pub(crate) fn of(adapter: &wgpu::Adapter) -> Self {
-        let (info, limits) = (adapter.get_info(), adapter.limits());
+    /// An adapter, or a device that was opened with `limits`.
+    pub(crate) fn of(info: wgpu::AdapterInfo, limits: &wgpu::Limits) -> Self {
         Self {
             kind: AdapterKind::of(&info),
             backend: backend_name(info.backend),
             driver: [info.driver.trim(), info.driver_info.trim()].join(" ").trim().to_owned(),
-            limits: AdapterLimits::of(&limits),
-            lacks: Lack::of(&limits),
+            limits: AdapterLimits::of(limits),
+            lacks: Lack::of(limits),
             name: info.name,
         }
     }
@@ -195,7 +195,10 @@ pub(crate) fn found() -> Vec<(wgpu::Adapter, AdapterSummary)> {
     descriptor.backends = backends;
     let instance = wgpu::Instance::new(descriptor);
     let adapters = pollster::block_on(instance.enumerate_adapters(backends));
-    let mut found: Vec<_> = adapters.into_iter().map(|adapter| (AdapterSummary::of(&adapter), adapter)).collect();
+    let mut found: Vec<_> = adapters
+        .into_iter()
+        .map(|adapter| (AdapterSummary::of(adapter.get_info(), &adapter.limits()), adapter))
+        .collect();
     found.sort_by_key(|(summary, _)| summary.rank());
     found.into_iter().map(|(summary, adapter)| (adapter, summary)).collect()
 }

@@ -92,7 +92,7 @@ fn assert_same(reported: &Table, there: &Table) {
 #[test]
 fn the_pipeline_has_the_buffers_that_the_table_tells() {
     let model = Model::new(&miura(2, 2).expect("valid"), &Material::default()).expect("a generated pattern");
-    let variant = Variant::new(&SheetArrays::new(&[&model]), Scheme::Relax, Some(Material::default()));
+    let variant = Variant::new(&SheetArrays::new(&model), Scheme::Relax, Some(Material::default()));
     // With and without what a sheet may have. One workgroup takes no scene with rigidities: eight buffers are all there is.
     let several = |k: &&&Kernel| !k.name.starts_with("workgroup") && k.springs;
     let plain = KERNELS.iter().map(|k| (*k, variant.clone()));

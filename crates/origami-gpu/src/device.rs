@@ -63,6 +63,29 @@ impl Gpu {
         Ok(Self { inner: Arc::new(Inner { adapter: summary, device, queue, limits, sample_shading, fault }) })
     }
 
+    /// Takes a device that the caller has opened: simulations and whatever else the caller does with it share its memory and
+    /// its queue. The device needs `wgpu::Limits::default()` and no optional feature; where its buffers may be larger, sheets
+    /// may.
+    ///
+    /// The device keeps its callbacks. What goes wrong in calls of this crate is caught in error scopes and comes back as an
+    /// error; what the device reports outside of them goes to the caller's own `on_uncaptured_error` and
+    /// `set_device_lost_callback`, or makes wgpu panic where there are none. Pictures are drawn without
+    /// multisampling: a device does not tell whether it can shade single samples.
+    ///
+    /// # Errors
+    /// [`GpuError::Unfit`] where the device's limits do not suffice.
+    pub fn from_device(device: wgpu::Device, queue: wgpu::Queue) -> Result<Self, GpuError> {
+        let limits = device.limits();
+        let adapter = AdapterSummary::of(device.adapter_info(), &limits);
+        match adapter.lacks {
+            Some(lack) => Err(GpuError::Unfit { adapter: adapter.to_string(), lack }),
+            None => {
+                let fault = Arc::default();
+                Ok(Self { inner: Arc::new(Inner { adapter, device, queue, limits, sample_shading: false, fault }) })
+            }
+        }
+    }
+
     /// What was opened.
     #[must_use]
     pub fn adapter(&self) -> &AdapterSummary {
@@ -205,6 +228,28 @@ mod tests {
         assert!(matches!(made, Err(GpuError::Lost(_))), "{made:?}");
         gpu.queue().submit([gpu.device().create_command_encoder(&Default::default()).finish()]);
         assert!(matches!(gpu.wait(), Err(GpuError::Lost(_))));
+    }
+
+    #[test]
+    fn a_device_of_the_callers_is_taken_where_its_limits_suffice() {
+        let Some(gpu) = fresh() else { return };
+        let (device, queue) = (gpu.device().clone(), gpu.queue().clone());
+        let shared = Gpu::from_device(device, queue).expect("what we open ourselves suffices");
+        assert_eq!(shared.adapter().to_string(), gpu.adapter().to_string());
+        assert!(shared.scoped(|| buffer(&shared, 256, wgpu::BufferUsages::STORAGE)).is_ok());
+        let wrong = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::STORAGE;
+        assert!(matches!(shared.scoped(|| buffer(&shared, 256, wrong)), Err(GpuError::Refused(_))));
+        assert_eq!(gpu.check(), Ok(()), "it was caught, and the first owner hears nothing of it");
+        let _ = buffer(&shared, 256, wrong);
+        assert!(gpu.check().is_err(), "outside of every call of ours it is the owner who hears of it");
+
+        let limits = wgpu::Limits::downlevel_defaults();
+        assert!(crate::limits::Lack::of(&limits).is_some());
+        let adapter = found().into_iter().find(|(_, summary)| summary.to_string() == gpu.adapter().to_string());
+        let (adapter, _) = adapter.expect("it was there before");
+        let small = wgpu::DeviceDescriptor { required_limits: limits, ..Default::default() };
+        let (device, queue) = pollster::block_on(adapter.request_device(&small)).expect("less than it can");
+        assert!(matches!(Gpu::from_device(device, queue), Err(GpuError::Unfit { .. })));
     }
 
     #[test]

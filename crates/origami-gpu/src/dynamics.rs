@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use origami_core::scene::Held;
-use origami_core::solve::{Dynamics, Failed, Folded, Instance, Integrator, Progress, State, TimeStep, time_step};
+use origami_core::solve::{Dynamics, Failed, Folded, Instance, Integrator, Progress, TimeStep, time_step};
 
 use crate::engine::Engine;
 use crate::layout::Control;
@@ -27,7 +27,10 @@ pub(crate) fn run(
 ) -> Vec<Result<Folded, Failed>> {
     let mut targets = Vec::with_capacity(instances.len());
     for instance in instances {
-        match checked(instance) {
+        // Whoever asks for so many steps may watch a sheet fall.
+        let falls = dynamics.steps.is_some();
+        let balanced = || if falls { Ok(()) } else { instance.scene.check_balance(instance.model) };
+        match balanced().and_then(|()| checked(instance)) {
             Ok(own) => targets.push(own),
             Err(refusal) => return refused(instances, &refusal),
         }
@@ -41,18 +44,19 @@ pub(crate) fn run(
     };
     let scheme = engine.variant.scheme;
     let came_to = |((instance, targets), ending): ((&Instance<'_>, Vec<f64>), _)| {
-        folded(instance, targets, dynamics.steps.is_some(), ending, scheme)
+        let held = Held::new(instance.model, &instance.scene);
+        folded(instance, held, targets, dynamics.steps.is_some(), ending, scheme)
     };
     instances.iter().zip(targets).zip(&endings).map(came_to).collect()
 }
 
 /// Where an instance begins.
-fn beginning<'m>(dynamics: &Dynamics, instance: &Instance<'m>, targets: Vec<f64>) -> Beginning<'m> {
-    let model = instance.model;
+pub(crate) fn beginning<'m>(dynamics: &Dynamics, instance: &Instance<'m>, targets: Vec<f64>) -> Beginning<'m> {
+    let (model, state) = (instance.model, placed(instance));
     Beginning {
         model,
-        state: placed(instance),
         held: Held::new(model, &instance.scene),
+        loads: instance.scene.loads.clone(),
         targets,
         ramp: dynamics.ramp,
         limit: dynamics.steps.unwrap_or(dynamics.max_steps),
@@ -61,12 +65,13 @@ fn beginning<'m>(dynamics: &Dynamics, instance: &Instance<'m>, targets: Vec<f64>
         time_step: match dynamics.time_step {
             TimeStep::Paper => time_step::paper(model),
             TimeStep::Safe => {
-                let State { positions, velocities, .. } = &instance.start;
-                time_step::renewed(time_step::safe(model, positions, dynamics.integrator), velocities, None)
+                let safe = time_step::safe(model, &state.positions, dynamics.integrator);
+                time_step::renewed(safe, &state.velocities, None)
             }
             TimeStep::Fixed(dt) => dt,
             _ => time_step::paper(model),
         },
         damping_sum: time_step::damping_sum(model, dynamics.integrator),
+        state,
     }
 }

@@ -1,6 +1,7 @@
 //! A sheet on the GPU: its buffers, and the passes of a step in their order.
 
 use origami_core::Model;
+use origami_core::ids::NodeId;
 use origami_core::model::Material;
 use origami_core::twins::safe_time_step;
 
@@ -8,6 +9,7 @@ use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::kernels::{Binding, Kernel, triangle_forces, workgroup_dynamics, workgroup_relax};
 use crate::layout::{Before, Control, CreaseState, Node};
+use crate::outside::Outside;
 use crate::pipeline::{Buffers, Pass, buffer};
 use crate::plan::{CHECK_INTERVAL, Plan};
 use crate::purpose::{Dispatch, Purpose, WORKGROUP_NODES};
@@ -24,6 +26,8 @@ pub(crate) struct Engine {
     pub(crate) variant: Variant,
     pub(crate) buffers: Buffers,
     pub(crate) instances: usize,
+    /// The nodes that may be loaded, in order, and the slot of each for its load.
+    pub(crate) load_slots: Vec<(NodeId, u32)>,
     /// Steps between two runs of `row_sums`.
     renewal: u64,
     fold_angles: Vec<Pass>,
@@ -39,15 +43,15 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    /// For `instances` sheets of `models`, which differ in nothing but their material.
+    /// For one sheet of `model`, with room for what acts on it from outside.
     ///
     /// # Errors
     /// [`GpuError::TooLarge`] where a buffer is larger than the adapter allows, or what the device says.
-    pub(crate) fn new(gpu: &Gpu, models: &[&Model], purpose: Purpose, instances: usize) -> Result<Self, GpuError> {
-        Self::of_arrays(gpu, &SheetArrays::new(models), uniform(models), purpose, instances)
+    pub(crate) fn new(gpu: &Gpu, model: &Model, outside: &Outside, purpose: Purpose) -> Result<Self, GpuError> {
+        Self::of_arrays(gpu, &SheetArrays::with_outside(model, outside), Some(model.material), purpose, 1)
     }
 
-    /// The same from arrays, and the material of all instances, or `None` where they differ.
+    /// For `instances` sheets of these arrays, and the material of all of them, or `None` where they differ.
     ///
     /// # Errors
     /// As [`Engine::new`].
@@ -66,15 +70,16 @@ impl Engine {
         check_counts(&variant)?;
         gpu.scoped(|| {
             let buffers = buffers(gpu, arrays, &variant, instances)?;
-            Ok(Self::with_buffers(gpu, variant, workgroup.as_ref(), buffers, instances, purpose.safe))
+            let engine = Self::with_buffers(gpu, variant, workgroup.as_ref(), buffers, instances, purpose.safe);
+            Ok(Self { load_slots: arrays.load_slots.clone(), ..engine })
         })?
     }
 
     /// The buffers of one sheet, without any pass.
     #[cfg(test)]
-    pub(crate) fn bare(gpu: &Gpu, models: &[&Model], scheme: Scheme) -> Result<Self, GpuError> {
-        let arrays = SheetArrays::new(models);
-        let variant = Variant::new(&arrays, scheme, uniform(models));
+    pub(crate) fn bare(gpu: &Gpu, model: &Model, scheme: Scheme) -> Result<Self, GpuError> {
+        let arrays = SheetArrays::new(model);
+        let variant = Variant::new(&arrays, scheme, Some(model.material));
         let buffers = gpu.scoped(|| buffers(gpu, &arrays, &variant, 1))??;
         Ok(Self::plain(gpu, variant, buffers, Vec::new()))
     }
@@ -96,6 +101,7 @@ impl Engine {
             variant,
             buffers,
             instances: 1,
+            load_slots: Vec::new(),
         }
     }
 
@@ -144,10 +150,17 @@ impl Engine {
             variant,
             buffers,
             instances,
+            load_slots: Vec::new(),
         }
     }
 
-    /// Records the steps `from..to`, counted since the start; `from` is a multiple of [`CHECK_INTERVAL`].
+    /// What may act on its sheets from outside.
+    pub(crate) fn outside(&self) -> Outside {
+        Outside { holds: self.variant.fixed, loaded: self.load_slots.iter().map(|(node, _)| *node).collect() }
+    }
+
+    /// Records the steps `from..to`, counted since the start; where a workgroup takes many steps `from` is a multiple of
+    /// [`CHECK_INTERVAL`].
     pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, instances: u32, from: u64, to: u64) {
         let mut record = |passes: &[Pass]| passes.iter().for_each(|p| p.record(pass, instances));
         let dynamics = !self.variant.relaxing();
@@ -186,7 +199,11 @@ impl Engine {
                 record(&self.integration);
             }
         }
-        record(&self.checkpoint);
+    }
+
+    /// Records a copy of the state, where it is good.
+    pub(crate) fn record_checkpoint(&self, pass: &mut wgpu::ComputePass<'_>, instances: u32) {
+        self.checkpoint.iter().for_each(|p| p.record(pass, instances));
     }
 }
 
@@ -292,6 +309,7 @@ fn buffers(gpu: &Gpu, arrays: &SheetArrays, variant: &Variant, instances: usize)
     Ok(buffers)
 }
 
+/// Nodes can also be the vertices of somebody's drawing.
 /// How many instances of a sheet fit into the adapter's buffers.
 pub(crate) fn most_instances(gpu: &Gpu, arrays: &SheetArrays, scheme: Scheme) -> usize {
     // Buffers are as large with one material as with many.
@@ -315,7 +333,7 @@ mod tests {
     const BY_WORKGROUP: Purpose = Purpose { scheme: EULER, safe: true, dispatch: Dispatch::Workgroup };
 
     fn arrays_and_variant(model: &Model) -> (SheetArrays, Variant) {
-        let arrays = SheetArrays::new(&[model]);
+        let arrays = SheetArrays::new(model);
         let variant = Variant::new(&arrays, EULER, Some(model.material));
         (arrays, variant)
     }

@@ -9,6 +9,7 @@ use crate::device::Gpu;
 use crate::engine::{Engine, most_instances, uniform};
 use crate::method::Method;
 use crate::outcome::backend;
+use crate::outside::Outside;
 use crate::purpose::Purpose;
 use crate::sheet_arrays::{SheetArrays, same_springs};
 
@@ -36,7 +37,8 @@ fn in_runs(
     let mut results: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
     for group in groups(instances) {
         let models = different(group.iter().map(|i| instances[*i].model));
-        let arrays = SheetArrays::new(&models);
+        let outside = Outside::of(group.iter().map(|i| &instances[*i].scene));
+        let arrays = SheetArrays::with_outside(models[0], &outside);
         let most = most(&arrays);
         let mut engine = Engine::of_arrays(gpu, &arrays, uniform(&models), purpose, group.len().min(most));
         for part in group.chunks(most) {

@@ -10,7 +10,7 @@ use crate::variant::Variant;
 
 /// The model's inventory `inventory`, and what the GPU's pipelines add to it.
 pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose) -> Inventory {
-    let arrays = SheetArrays::new(&[model]);
+    let arrays = SheetArrays::new(model);
     let variant = Variant::new(&arrays, purpose.scheme, Some(model.material));
     let mut built = |what, count| inventory.built.push(Built { what, count });
     if is_by_workgroup(&arrays, &variant, purpose) {

@@ -2,6 +2,8 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
+use origami_core::scene::Axes;
+use origami_core::twins::settle_decide::{LEAST, SHORTEST, WINDOWS};
 
 /// The length of one unit of [`Node::high`], in radii.
 pub(crate) const QUANTUM: f64 = 1.0 / 4096.0;
@@ -17,7 +19,8 @@ pub(crate) const SETTLED: u32 = 1;
 #[repr(C)]
 pub(crate) struct Node {
     pub(crate) high: [i32; 3],
-    pub(crate) fixed_in_place: u32,
+    /// The axes along which it is held: bit 0 for x, 1 for y, 2 for z.
+    pub(crate) held: u32,
     pub(crate) low: [f32; 3],
     pub(crate) mass: f32,
     pub(crate) velocity: [f32; 3],
@@ -35,10 +38,23 @@ impl Node {
         self.low = (position - high * QUANTUM).to_array().map(|x| x as f32);
     }
 
+    /// Holds it along these axes and no others: there it stops.
+    pub(crate) fn hold(&mut self, axes: Axes) {
+        self.held = held_mask(axes);
+        for (axis, _) in axes.to_array().into_iter().enumerate().filter(|(_, held)| *held) {
+            (self.velocity[axis], self.force[axis]) = (0.0, 0.0);
+        }
+    }
+
     /// In radii.
     pub(crate) fn position(&self) -> DVec3 {
         DVec3::from_array(self.high.map(f64::from)) * QUANTUM + vector(self.low)
     }
+}
+
+/// What [`Node::held`] is for these axes.
+pub(crate) fn held_mask(axes: Axes) -> u32 {
+    axes.to_array().into_iter().zip(0..).map(|(held, bit)| u32::from(held) << bit).sum()
 }
 
 /// The square of a rest length in two parts: integer times `QUANTUM`^2, and the rest.
@@ -69,6 +85,14 @@ pub(crate) struct CreaseState {
     pub(crate) end_target: f32,
 }
 
+impl CreaseState {
+    /// The angles between which its ramp leads.
+    #[expect(clippy::cast_possible_truncation, reason = "to the nearest")]
+    pub(crate) fn aim(&mut self, from: f64, to: f64) {
+        (self.start_target, self.end_target) = (from as f32, to as f32);
+    }
+}
+
 /// The control block of one instance: where it stands, and what the passes share.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
@@ -78,11 +102,15 @@ pub(crate) struct Control {
     pub(crate) limit: u32,
     pub(crate) bad_node: u32,
     pub(crate) ramp_step: u32,
+    pub(crate) ramp_before: u32,
     pub(crate) ramp_length: u32,
-    pub(crate) held: u32,
+    pub(crate) too_fast: u32,
+    pub(crate) ramp_waits: u32,
     pub(crate) checks: u32,
     pub(crate) window_end: u32,
     pub(crate) settled_windows: u32,
+    pub(crate) disturbed_at: u32,
+    pub(crate) window_is_sound: u32,
     pub(crate) stops_when_settled: u32,
     pub(crate) distance: f32,
     pub(crate) tolerance: f32,
@@ -106,6 +134,20 @@ pub(crate) struct Control {
     pub(crate) k_facet: f32,
     pub(crate) k_face: f32,
     pub(crate) zeta: f32,
+}
+
+impl Control {
+    /// As `Windows::disturb` of the core: what the sheet looked like before counts no more.
+    pub(crate) fn disturb(&mut self) {
+        (self.settled_windows, self.window_is_sound, self.disturbed_at) = (0, 0, self.checks);
+        self.window_end = self.window_end.min(self.checks + 1);
+        self.distance = f32::INFINITY;
+    }
+
+    /// As `Windows::has_settled` of the core: whether the last windows had all settled.
+    pub(crate) fn has_settled(&self) -> bool {
+        self.settled_windows >= WINDOWS && u64::from(self.checks) * SHORTEST > LEAST
+    }
 }
 
 /// A crease that never changes.
@@ -179,7 +221,7 @@ mod tests {
     #[test]
     fn structs_lie_as_in_the_shaders() {
         let forces = shader(&triangle_forces::KERNEL);
-        same_layout!(&forces, Node { high, fixed_in_place, low, mass, velocity, softness, force, unused });
+        same_layout!(&forces, Node { high, held, low, mass, velocity, softness, force, unused });
         same_layout!(&forces, CreaseState { angle, moment, start_target, end_target });
         same_layout!(&forces, Face { nodes, slots, sides, rest_high, rest_low });
         same_layout!(
@@ -190,11 +232,15 @@ mod tests {
                 limit,
                 bad_node,
                 ramp_step,
+                ramp_before,
                 ramp_length,
-                held,
+                too_fast,
+                ramp_waits,
                 checks,
                 window_end,
                 settled_windows,
+                disturbed_at,
+                window_is_sound,
                 stops_when_settled,
                 distance,
                 tolerance,

@@ -58,9 +58,11 @@ mod limits;
 mod mapped;
 mod method;
 mod outcome;
+mod outside;
 mod paper;
 mod pipeline;
 mod plan;
+mod positions_buffer;
 mod purpose;
 mod relax;
 #[cfg(feature = "render")]
@@ -69,7 +71,9 @@ mod run;
 #[cfg(test)]
 mod shader_checks;
 mod sheet_arrays;
+mod simulation;
 mod solver;
+mod steering;
 #[cfg(test)]
 mod testing;
 mod traffic;
@@ -81,6 +85,10 @@ pub use error::GpuError;
 pub use limits::{AdapterLimits, Lack};
 pub use method::GpuMethod;
 pub use paper::PaperDynamics;
+pub use positions_buffer::PositionsBuffer;
 pub use purpose::{Dispatch, WORKGROUP_NODES};
+pub use simulation::GpuEngine;
 pub use solver::{OnGpu, OnModel};
 pub use traffic::{BufferSize, PassTraffic, Traffic};
+/// What devices, queues and buffers that are shared with the caller are.
+pub use wgpu;

@@ -3,10 +3,11 @@
 use std::ops::ControlFlow;
 
 use origami_core::model::Model;
-use origami_core::solve::{Dynamics, Failed, Folded, Instance, Progress, Relax, Solver};
+use origami_core::solve::{Dynamics, Failed, Folded, Instance, Progress, Relax, Solver, State};
 
 use crate::engine::Engine;
 use crate::purpose::{Dispatch, Purpose};
+use crate::run::Beginning;
 use crate::{dynamics, relax};
 
 /// A solver of the core that a GPU can compute: [`Relax`] or [`Dynamics`]. No other type can have this trait.
@@ -35,6 +36,29 @@ mod sealed {
     }
 }
 
+/// The same, kept.
+#[derive(Clone, Debug)]
+pub(crate) enum Settings {
+    Relax(Relax),
+    Dynamics(Dynamics),
+}
+
+impl Settings {
+    pub(crate) fn of(method: Method<'_>) -> Self {
+        match method {
+            Method::Relax(relax) => Self::Relax(relax.clone()),
+            Method::Dynamics(dynamics) => Self::Dynamics(dynamics.clone()),
+        }
+    }
+
+    pub(crate) fn method(&self) -> Method<'_> {
+        match self {
+            Self::Relax(relax) => Method::Relax(relax),
+            Self::Dynamics(dynamics) => Method::Dynamics(dynamics),
+        }
+    }
+}
+
 /// The solvers of the core that a GPU can compute, with their settings.
 #[derive(Clone, Copy, Debug)]
 pub enum Method<'a> {
@@ -52,6 +76,25 @@ impl Method<'_> {
             Self::Dynamics(method) => {
                 dynamics::purpose(method, models.any(|model| model.material.zeta > 0.0), dispatch)
             }
+        }
+    }
+
+    /// Where an instance begins, on the way to `targets`.
+    pub(crate) fn beginning<'m>(self, instance: &Instance<'m>, targets: Vec<f64>) -> Beginning<'m> {
+        match self {
+            Self::Relax(method) => {
+                let attempt = method.first_attempt(instance.model, &instance.start, &targets);
+                relax::beginning(method, instance, &targets, attempt)
+            }
+            Self::Dynamics(method) => dynamics::beginning(method, instance, targets),
+        }
+    }
+
+    /// Evaluations of the ramp from the targets of `start` to others.
+    pub(crate) fn ramp(self, model: &Model, start: &State, targets: &[f64]) -> u32 {
+        match self {
+            Self::Relax(method) => method.first_attempt(model, start, targets).ramp,
+            Self::Dynamics(method) => method.ramp,
         }
     }
 

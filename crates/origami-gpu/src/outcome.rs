@@ -6,11 +6,11 @@ use glam::DVec3;
 use origami_core::forces::{Forces, damping};
 use origami_core::ids::NodeId;
 use origami_core::model::Model;
-use origami_core::scene::Refusal;
+use origami_core::scene::{Held, Refusal};
 use origami_core::solve::{Diverged, Failed, Folded, Instance, Progress, State, Stop};
 
 use crate::error::GpuError;
-use crate::layout::{Control, NONE, Node, SETTLED, vector};
+use crate::layout::{Control, CreaseState, NONE, Node, SETTLED, vector};
 use crate::run::Ending;
 use crate::variant::Scheme;
 
@@ -23,18 +23,15 @@ pub(crate) fn backend(error: GpuError, last: &State, step: u64) -> Failed {
 pub(crate) fn checked(instance: &Instance<'_>) -> Result<Vec<f64>, Refusal> {
     let Instance { model, scene, .. } = instance;
     scene.check(model)?;
-    let unsupported = |what| Refusal::Unsupported { what, backend: "a GPU", expected: "the CPU for that scene" };
     if !scene.forces.is_empty() {
-        return Err(unsupported("forces"));
-    }
-    if !scene.supports.is_empty() {
-        return Err(unsupported("supports"));
-    }
-    if !scene.loads.is_empty() {
-        return Err(unsupported("loads"));
+        let expected = "the same solver on the CPU, or loads and supports in their place";
+        return Err(Refusal::Unsupported { what: "forces", backend: GPU, expected });
     }
     scene.targets.of(model)
 }
+
+/// What cannot compute a thing, as refusals call it.
+pub(crate) const GPU: &str = "a GPU";
 
 /// Instances of which one cannot be run: those that run together are refused together.
 pub(crate) fn refused(instances: &[Instance<'_>], refusal: &Refusal) -> Vec<Result<Folded, Failed>> {
@@ -50,14 +47,19 @@ pub(crate) fn placed(instance: &Instance<'_>) -> State {
 
 /// How far an instance has come.
 pub(crate) fn progress(control: &Control) -> Progress {
-    let ramp = match control.ramp_length {
-        0 => 1.0,
-        length => f64::from(control.ramp_step) / f64::from(length),
-    };
-    Progress { step: u64::from(control.step), ramp, distance: distance(control) }
+    Progress { step: u64::from(control.step), ramp: ramp_share(control), distance: distance(control) }
 }
 
-fn distance(control: &Control) -> f64 {
+/// The share of the way to the target angles that the last evaluation was at.
+pub(crate) fn ramp_share(control: &Control) -> f64 {
+    match control.ramp_length {
+        0 => 1.0,
+        length => f64::from(control.ramp_before) / f64::from(length),
+    }
+}
+
+/// The estimated distance from the equilibrium in radii; infinite where there is none.
+pub(crate) fn distance(control: &Control) -> f64 {
     match f64::from(control.distance) {
         // The shaders write so where they have no estimate.
         none if none >= 1e30 => f64::INFINITY,
@@ -65,38 +67,41 @@ fn distance(control: &Control) -> f64 {
     }
 }
 
-/// What an instance came to. `steps_asked`: it was to run so many steps, and not to stop before.
+/// The time step of the last move, or FIRE's step.
+fn time_step(control: &Control, scheme: Scheme) -> f64 {
+    f64::from(match scheme {
+        Scheme::Relax => control.fire_step,
+        Scheme::Dynamics { .. } => control.time_step,
+    })
+}
+
+/// What lies in the buffers, in double precision.
+pub(crate) fn state(nodes: &[Node], creases: &[CreaseState], targets: Vec<f64>) -> State {
+    State {
+        positions: nodes.iter().map(Node::position).collect(),
+        velocities: nodes.iter().map(|n| vector(n.velocity)).collect(),
+        fold_angles: creases.iter().map(|c| f64::from(c.angle)).collect(),
+        targets,
+    }
+}
+
+/// What an instance came to, with these nodes held. `steps_asked`: it was to run so many steps, and not to stop before.
 pub(crate) fn folded(
     instance: &Instance<'_>,
+    held: Held,
     targets: Vec<f64>,
     steps_asked: bool,
     ending: &Ending,
     scheme: Scheme,
 ) -> Result<Folded, Failed> {
     let (model, scene, control) = (instance.model, &instance.scene, &ending.control);
-    let time_step = f64::from(match scheme {
-        Scheme::Relax => control.fire_step,
-        Scheme::Dynamics { .. } => control.time_step,
-    });
-    let angles = ending.creases.iter().map(|c| f64::from(c.angle)).collect();
-    let mut state = State {
-        positions: ending.nodes.iter().map(Node::position).collect(),
-        velocities: ending.nodes.iter().map(|n| vector(n.velocity)).collect(),
-        fold_angles: angles,
-        targets,
-    };
     if control.bad_node != NONE {
-        return Err(diverged(
-            model,
-            ending,
-            &state,
-            time_step,
-            matches!(scheme, Scheme::Dynamics { verlet: true, .. }),
-        )
-        .into());
+        return Err(diverged(model, ending, targets, scheme).into());
     }
+    let time_step = time_step(control, scheme);
+    let mut state = state(&ending.nodes, &ending.creases, targets);
     // Measured in double precision, at the state as it was read.
-    let mut forces = Forces::in_scene(model, scene);
+    let mut forces = Forces::holding(model, scene, held);
     let values = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles);
     let residual = values.iter().map(|f| f.length()).fold(0.0, f64::max);
     let reactions = forces.reactions().to_vec();
@@ -125,9 +130,12 @@ pub(crate) fn folded(
     Ok(Folded { state, targets, stop, steps, time_step, residual, distance, attempts: 1, reactions })
 }
 
-fn diverged(model: &Model, ending: &Ending, state: &State, time_step: f64, verlet: bool) -> Diverged {
+/// An instance of which a node left all bounds.
+pub(crate) fn diverged(model: &Model, ending: &Ending, targets: Vec<f64>, scheme: Scheme) -> Diverged {
     let control = &ending.control;
     let node = control.bad_node as usize;
+    let state = state(&ending.nodes, &ending.creases, targets);
+    let (time_step, verlet) = (time_step(control, scheme), matches!(scheme, Scheme::Dynamics { verlet: true, .. }));
     let last_good = match &ending.checkpoint {
         Some((nodes, angles)) => State {
             positions: nodes.iter().map(Node::position).collect(),

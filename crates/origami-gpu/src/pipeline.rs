@@ -20,7 +20,12 @@ pub(crate) fn buffer(gpu: &Gpu, binding: Binding, size: u64, contents: &[u8]) ->
     // An empty binding is not allowed.
     let size = size.max(64);
     gpu.fits(binding.what(), size)?;
-    let kind = if binding == Binding::Settings { Usages::UNIFORM } else { Usages::STORAGE };
+    let kind = match binding {
+        Binding::Settings => Usages::UNIFORM,
+        // Whoever draws a simulation reads the positions where they lie.
+        Binding::Nodes => Usages::STORAGE | Usages::VERTEX,
+        _ => Usages::STORAGE,
+    };
     let buffer = gpu.device().create_buffer(&wgpu::BufferDescriptor {
         label: Some(binding.what()),
         size,

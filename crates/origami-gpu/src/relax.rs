@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use origami_core::scene::Held;
 use origami_core::solve::relax::{Attempt, lower};
-use origami_core::solve::{Failed, Folded, Instance, Progress, Relax};
+use origami_core::solve::{Failed, Folded, Instance, Progress, Relax, Stop};
 
 use crate::engine::Engine;
 use crate::error::GpuError;
@@ -28,7 +28,8 @@ pub(crate) fn run(
 ) -> Vec<Result<Folded, Failed>> {
     let mut targets = Vec::with_capacity(instances.len());
     for instance in instances {
-        match checked(instance) {
+        let balanced = || instance.scene.check_balance(instance.model);
+        match balanced().and_then(|()| checked(instance)) {
             Ok(own) => targets.push(own),
             Err(refusal) => return refused(instances, &refusal),
         }
@@ -54,17 +55,24 @@ pub(crate) fn run(
                 return gave_up(best_so_far, instances, &active, &error);
             }
         };
+        let cancelled = endings.iter().any(|ending| ending.cancelled);
         let mut next = Vec::new();
         for ((i, attempt), ending) in active.into_iter().zip(&endings) {
             let instance = &instances[i];
-            let came_to = folded(instance, targets[i].clone(), relax.steps.is_some(), ending, Scheme::Relax);
+            let held = Held::new(instance.model, &instance.scene);
+            let came_to = folded(instance, held, targets[i].clone(), relax.steps.is_some(), ending, Scheme::Relax);
             let best = match (best_so_far[i].take(), came_to) {
                 (None, came_to) => came_to,
                 // The state at hand is finite: another way that diverges does not take it away.
-                (Some(Ok(one)), Ok(other)) => Ok(lower(instance.model, &instance.scene, one, other, attempt.number)),
+                (Some(Ok(one)), Ok(other)) => {
+                    let broken_off = other.stop == Stop::Cancelled;
+                    let kept = lower(instance.model, &instance.scene, one, other, attempt.number);
+                    Ok(if broken_off { Folded { stop: Stop::Cancelled, ..kept } } else { kept })
+                }
                 (Some(one), _) => one,
             };
-            if let Ok(folded) = &best
+            if !cancelled
+                && let Ok(folded) = &best
                 && let Some(attempt) = relax.next_attempt(instance.model, &instance.start, attempt, folded)
             {
                 next.push((i, attempt));
@@ -77,11 +85,17 @@ pub(crate) fn run(
 }
 
 /// Where an attempt begins.
-fn beginning<'m>(relax: &Relax, instance: &Instance<'m>, targets: &[f64], attempt: Attempt) -> Beginning<'m> {
+pub(crate) fn beginning<'m>(
+    relax: &Relax,
+    instance: &Instance<'m>,
+    targets: &[f64],
+    attempt: Attempt,
+) -> Beginning<'m> {
     Beginning {
         model: instance.model,
         state: relax.beginning(instance.model, &instance.start, &instance.scene, targets),
         held: Held::new(instance.model, &instance.scene),
+        loads: instance.scene.loads.clone(),
         targets: targets.to_vec(),
         ramp: attempt.ramp,
         limit: attempt.limit,

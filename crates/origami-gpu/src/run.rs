@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use bytemuck::Pod;
 use glam::DVec3;
 use origami_core::Model;
-use origami_core::scene::Held;
+use origami_core::scene::{Held, Load};
 use origami_core::solve::{State, row_sums};
 use origami_core::twins::fire_update;
 
@@ -26,6 +26,7 @@ pub(crate) struct Beginning<'m> {
     pub(crate) state: State,
     /// The nodes that are held.
     pub(crate) held: Held,
+    pub(crate) loads: Vec<Load>,
     /// Target angles at the end of the ramp, by crease; it begins at those of `state`.
     pub(crate) targets: Vec<f64>,
     pub(crate) ramp: u32,
@@ -63,32 +64,48 @@ impl Engine {
         assert!(beginnings.len() <= self.instances, "the engine was built for as many");
         self.load(beginnings)?;
         let limit = beginnings.iter().map(|b| b.limit).max().unwrap_or(0);
-        let batch = batch(self.variant.nodes * beginnings.len());
-        let mut under_way = VecDeque::new();
-        let mut step = 0;
+        let (_, broken_off) = self.advance(beginnings.len(), 0, limit, observe)?;
+        self.endings(beginnings.len(), broken_off.is_break())
+    }
+
+    /// Takes the steps `from..to` of its first instances, or fewer where all of them stop or `observe` breaks them off; hands
+    /// back where they stand, and whether they were broken off.
+    ///
+    /// # Errors
+    /// What the device says.
+    pub(crate) fn advance(
+        &self,
+        instances: usize,
+        from: u64,
+        to: u64,
+        observe: &mut dyn FnMut(usize, &Control) -> ControlFlow<()>,
+    ) -> Result<(Vec<Control>, ControlFlow<()>), GpuError> {
+        let batch = batch(self.variant.nodes * instances);
+        let (mut under_way, mut controls) = (VecDeque::new(), Vec::new());
+        let mut step = from;
         let (mut running, mut cancelled) = (true, false);
-        while running && (step < limit || !under_way.is_empty()) {
-            if step < limit {
-                let to = (step + batch).min(limit);
-                under_way.push_back((to, self.submit(beginnings.len(), step, to)?));
-                step = to;
+        while running && (step < to || !under_way.is_empty()) {
+            if step < to {
+                let next = (step + batch).min(to);
+                under_way.push_back((next, self.submit(instances, step, next)?));
+                step = next;
             }
-            if under_way.len() > AHEAD || step == limit {
-                let Some((to, reading)) = under_way.pop_front() else { break };
-                let controls = reading.wait(&self.gpu)?;
+            if under_way.len() > AHEAD || step == to {
+                let Some((asked, reading)) = under_way.pop_front() else { break };
+                controls = reading.wait(&self.gpu)?;
                 // Instances run together: who breaks one off breaks off all.
                 for (i, control) in controls.iter().enumerate() {
                     cancelled |= observe(i, control).is_break();
                 }
-                self.check_steps(&controls, to)?;
+                self.check_steps(&controls, asked)?;
                 running = !cancelled && controls.iter().any(|c| c.stop == 0 && c.bad_node == NONE);
             }
         }
-        // What still is under way finds all instances standing still.
+        // What still is under way finds all instances standing still, or takes them a little farther.
         for (_, reading) in under_way {
-            reading.wait(&self.gpu)?;
+            controls = reading.wait(&self.gpu)?;
         }
-        self.endings(beginnings.len(), cancelled)
+        Ok((controls, if cancelled { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }))
     }
 
     /// A kernel that was cut short would go unnoticed: a running instance has made all steps that were asked for.
@@ -125,8 +142,8 @@ impl Engine {
                 nodes.push(node);
             }
             let first = nodes.len() - self.variant.nodes;
-            for (node, _) in beginning.held.iter() {
-                nodes[first + node.index()].fixed_in_place = 1;
+            for (node, axes) in beginning.held.iter() {
+                nodes[first + node.index()].hold(axes);
             }
             let angles = start.fold_angles.iter().zip(&start.targets).zip(&beginning.targets);
             creases.extend(angles.map(|((angle, start), end)| CreaseState {
@@ -144,7 +161,29 @@ impl Engine {
             // The start is the first good state.
             self.write(Binding::CheckpointNodes, &nodes);
             self.write(Binding::CheckpointAngles, &angles);
+            self.write_loads(beginnings.iter().map(|b| &b.loads[..]));
         })
+    }
+
+    /// Writes the loads of each instance, where there is room for any; the next step writes all other slots.
+    pub(crate) fn write_loads<'l>(&self, of_instances: impl ExactSizeIterator<Item = &'l [Load]>) {
+        if self.load_slots.is_empty() {
+            return;
+        }
+        let each = self.variant.slots;
+        let mut slots = vec![[0.0_f32; 4]; each * of_instances.len()];
+        for (loads, slots) in of_instances.zip(slots.chunks_exact_mut(each)) {
+            let mut forces = vec![DVec3::ZERO; self.load_slots.len()];
+            for load in loads {
+                if let Ok(i) = self.load_slots.binary_search_by_key(&load.node, |(node, _)| *node) {
+                    forces[i] += load.force;
+                }
+            }
+            for ((_, slot), force) in self.load_slots.iter().zip(forces) {
+                slots[*slot as usize][..3].copy_from_slice(&single(force));
+            }
+        }
+        self.write(Binding::Slots, &slots);
     }
 
     pub(crate) fn write<T: Pod>(&self, binding: Binding, contents: &[T]) {
@@ -161,6 +200,11 @@ impl Engine {
             {
                 let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
                 self.record(&mut pass, count, from, to);
+                // The last good state: once a batch, in however many submissions its steps come.
+                let batch = batch(self.variant.nodes * instances);
+                if to / batch > from / batch {
+                    self.record_checkpoint(&mut pass, count);
+                }
             }
             self.start_reading(encoder, Binding::Control, instances)
         })
@@ -180,7 +224,7 @@ impl Engine {
         reading.wait(&self.gpu)
     }
 
-    fn endings(&self, instances: usize, cancelled: bool) -> Result<Vec<Ending>, GpuError> {
+    pub(crate) fn endings(&self, instances: usize, cancelled: bool) -> Result<Vec<Ending>, GpuError> {
         let controls: Vec<Control> = self.read(Binding::Control, instances)?;
         let (node_count, crease_count) = (self.variant.nodes, self.variant.creases);
         let nodes: Vec<Node> = self.read(Binding::Nodes, instances * node_count)?;
@@ -247,7 +291,7 @@ mod tests {
     #[test]
     fn a_kernel_that_was_cut_short_is_noticed() {
         let Some(gpu) = gpu() else { return };
-        let engine = Engine::bare(&gpu, &[&miura()], EULER).expect("it fits");
+        let engine = Engine::bare(&gpu, &miura(), EULER).expect("it fits");
         let at = |step: u32| Control { step, limit: 250, bad_node: NONE, ..Control::default() };
         assert_eq!(engine.check_steps(&[at(100), at(100)], 100), Ok(()));
         assert_eq!(engine.check_steps(&[at(250)], 300), Ok(()), "the limit came first");

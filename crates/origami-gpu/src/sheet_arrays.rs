@@ -1,8 +1,12 @@
 //! From models to the arrays that the shaders read: topology and constants, the same for all instances.
 
-use origami_core::model::{Beam, Crease, Model};
+use std::sync::Arc;
+
+use origami_core::ids::NodeId;
+use origami_core::model::{Beam, Crease, Model, StiffnessSource};
 
 use crate::layout::{ALONE, CREASE, FACET, FOLD, Face, Hinge, LooseBeam, OWN, RIGHT, split_square};
+use crate::outside::Outside;
 
 /// What the shaders read of a sheet and never write.
 #[derive(Clone, Debug)]
@@ -18,20 +22,25 @@ pub(crate) struct SheetArrays {
     pub(crate) loose_beams: Vec<LooseBeam>,
     /// First slot of each node, and the end of the last.
     pub(crate) rows: Vec<u32>,
-    /// Whether some nodes do not move.
+    /// The nodes that may be loaded, in order, and the slot of each for its load: the last of its row.
+    pub(crate) load_slots: Vec<(NodeId, u32)>,
+    /// Whether some nodes are held, or may be.
     pub(crate) fixed: bool,
 }
 
 impl SheetArrays {
-    /// The arrays of models which differ in nothing but their material; see [`same_springs`].
-    pub(crate) fn new(models: &[&Model]) -> Self {
-        let model = models[0];
-        let (rows, face_slots, loose_slots) = slots(model);
-        let rigidity = |beam: usize| models.iter().find_map(|m| own_rigidity(m, &m.beams[beam])).unwrap_or(0.0);
-        let rigidities: Vec<f32> = (0..model.beams.len()).map(rigidity).collect();
+    /// The arrays of a model on which nothing acts from outside.
+    pub(crate) fn new(model: &Model) -> Self {
+        Self::with_outside(model, &Outside::default())
+    }
+
+    /// The arrays of a model, and of all that differ from it in nothing but their material; see [`same_springs`].
+    pub(crate) fn with_outside(model: &Model, outside: &Outside) -> Self {
+        let Slots { rows, of_faces: face_slots, of_loose: loose_slots, of_loads: load_slots } = slots(model, outside);
+        let rigidities: Vec<f32> = model.beams.iter().map(own_rigidity).collect();
         let sides = sides_of_triangles(model);
 
-        let hinges = (0..model.creases.len()).map(|c| hinge(models, c)).collect();
+        let hinges = model.creases.iter().map(|crease| hinge(model, crease)).collect();
         let faces = model.mesh.triangles.iter().zip(&sides).zip(face_slots);
         let faces = faces.map(|((nodes, sides), slots)| {
             let rest = sides.map(|s| split_square(model.beams[s.beam].rest_length));
@@ -69,13 +78,14 @@ impl SheetArrays {
             },
             loose_beams: loose.collect(),
             rows,
-            fixed: !model.fixed.is_empty(),
+            load_slots,
+            fixed: outside.holds || !model.fixed.is_empty(),
         }
     }
 
     /// How many slots one instance has.
     pub(crate) fn slot_count(&self) -> usize {
-        3 * self.faces.len() + 2 * self.loose_beams.len()
+        3 * self.faces.len() + 2 * self.loose_beams.len() + self.load_slots.len()
     }
 
     /// The most slots of one node.
@@ -87,49 +97,47 @@ impl SheetArrays {
 /// Whether two models have springs in the same places, with the same stiffness where a spring has its own, so that one set
 /// of arrays serves both. Models of one pattern can differ in the places only where a stiffness is 0.
 pub(crate) fn same_springs(a: &Model, b: &Model) -> bool {
-    a.rest == b.rest
-        && a.mesh.triangles == b.mesh.triangles
-        && a.beams.len() == b.beams.len()
-        && a.beams.iter().zip(&b.beams).all(|pair| pair.0.nodes == pair.1.nodes && same_rigidity(a, b, pair))
+    same_sheet(a, b)
+        && a.beams.iter().zip(&b.beams).all(|(one, two)| same_rigidity(one, two))
         && a.fixed == b.fixed
         && a.creases.len() == b.creases.len()
-        && a.creases.iter().zip(&b.creases).all(|pair| pair.0.nodes == pair.1.nodes && same_stiffness(a, b, pair))
+        && a.creases.iter().zip(&b.creases).all(|(one, two)| same_stiffness(one, two))
         && a.corner_angles.len() == b.corner_angles.len()
 }
 
-fn same_rigidity(a: &Model, b: &Model, (one, two): (&Beam, &Beam)) -> bool {
-    one.stiffness == two.stiffness || own_rigidity(a, one).is_none() && own_rigidity(b, two).is_none()
+/// Whether both are of one sheet, or of two that are alike: models that were not made together.
+fn same_sheet(a: &Model, b: &Model) -> bool {
+    Arc::ptr_eq(&a.sheet, &b.sheet)
+        || a.rest == b.rest
+            && a.mesh.triangles == b.mesh.triangles
+            && a.beams.len() == b.beams.len()
+            && a.beams.iter().zip(&b.beams).all(|(one, two)| one.nodes == two.nodes)
 }
 
-fn same_stiffness(a: &Model, b: &Model, (one, two): (&Crease, &Crease)) -> bool {
-    let both = |number: fn(&Model) -> f64| comes_from(a, one, number) && comes_from(b, two, number);
-    one.stiffness == two.stiffness || both(|m| m.material.k_fold) || both(|m| m.material.k_facet)
+fn same_rigidity(one: &Beam, two: &Beam) -> bool {
+    one.own == two.own && (!one.own || one.stiffness == two.stiffness)
 }
 
-/// The rigidity of a beam that is not the material's.
-fn own_rigidity(model: &Model, beam: &Beam) -> Option<f32> {
-    let of_material = model.material.ea / beam.rest_length;
-    (beam.stiffness != of_material).then(|| single(beam.stiffness * beam.rest_length))
+fn same_stiffness(one: &Crease, two: &Crease) -> bool {
+    one.nodes == two.nodes
+        && one.source == two.source
+        && (one.source != StiffnessSource::Own || one.stiffness == two.stiffness)
 }
 
-/// A crease, with the material's number that its stiffness comes from in every model.
-fn hinge(models: &[&Model], crease: usize) -> Hinge {
-    let [apex_one, apex_two, end_one, end_two] = models[0].creases[crease].nodes.map(|n| n.0);
-    let all_from = |number: fn(&Model) -> f64| models.iter().all(|m| comes_from(m, &m.creases[crease], number));
-    let rest_length = length(models[0], &models[0].creases[crease]);
-    let (kind, length) = if all_from(|m| m.material.k_fold) {
-        (FOLD, rest_length)
-    } else if all_from(|m| m.material.k_facet) {
-        (FACET, rest_length)
-    } else {
-        (OWN, models[0].creases[crease].stiffness)
+/// The rigidity of a beam that has its own; 0 for the material's.
+fn own_rigidity(beam: &Beam) -> f32 {
+    if beam.own { single(beam.stiffness * beam.rest_length) } else { 0.0 }
+}
+
+/// A crease, with the material's number that its stiffness comes from.
+fn hinge(model: &Model, crease: &Crease) -> Hinge {
+    let [apex_one, apex_two, end_one, end_two] = crease.nodes.map(|n| n.0);
+    let (kind, length) = match crease.source {
+        StiffnessSource::Fold => (FOLD, length(model, crease)),
+        StiffnessSource::Facet => (FACET, length(model, crease)),
+        _ => (OWN, crease.stiffness),
     };
     Hinge { apex_one, apex_two, end_one, end_two, length: single(length), kind }
-}
-
-/// Whether a crease's stiffness per length is a number of the material.
-fn comes_from(model: &Model, crease: &Crease, number: fn(&Model) -> f64) -> bool {
-    crease.stiffness == length(model, crease) * number(model)
 }
 
 fn length(model: &Model, crease: &Crease) -> f64 {
@@ -166,9 +174,19 @@ fn sides_of_triangles(model: &Model) -> Vec<[SideOf; 3]> {
     sides
 }
 
-/// Slots numbered by node, so that each node reads one after the other: the rows, then the slots of faces and of beams
-/// outside any face.
-fn slots(model: &Model) -> (Vec<u32>, Vec<[u32; 3]>, Vec<[u32; 2]>) {
+/// Where the forces on the nodes lie.
+struct Slots {
+    /// First slot of each node, and the end of the last.
+    rows: Vec<u32>,
+    of_faces: Vec<[u32; 3]>,
+    /// Of beams outside any face.
+    of_loose: Vec<[u32; 2]>,
+    of_loads: Vec<(NodeId, u32)>,
+}
+
+/// Slots numbered by node, so that each node reads one after the other: those of its faces, of its beams outside any face,
+/// and of its load.
+fn slots(model: &Model, outside: &Outside) -> Slots {
     let loose: Vec<[usize; 2]> = model
         .mesh
         .sides
@@ -177,10 +195,11 @@ fn slots(model: &Model) -> (Vec<u32>, Vec<[u32; 3]>, Vec<[u32; 2]>) {
         .map(|side| side.nodes.map(|n| n.index()))
         .collect();
     let triangles = || model.mesh.triangles.iter().map(|t| t.map(|n| n.index()));
+    // Scenes are checked later.
+    let loaded = || outside.loaded.iter().filter(|node| node.index() < model.node_count());
     let mut rows = vec![0_u32; model.node_count() + 1];
-    for node in triangles().flatten().chain(loose.iter().flatten().copied()) {
-        rows[node + 1] += 1;
-    }
+    let ends = triangles().flatten().chain(loose.iter().flatten().copied()).chain(loaded().map(|node| node.index()));
+    ends.for_each(|node| rows[node + 1] += 1);
     for n in 0..model.node_count() {
         rows[n + 1] += rows[n];
     }
@@ -191,7 +210,8 @@ fn slots(model: &Model) -> (Vec<u32>, Vec<[u32; 3]>, Vec<[u32; 2]>) {
     };
     let of_faces = triangles().map(|t| t.map(&mut take)).collect();
     let of_loose = loose.iter().map(|ends| ends.map(&mut take)).collect();
-    (rows, of_faces, of_loose)
+    let of_loads = loaded().map(|node| (*node, take(node.index()))).collect();
+    Slots { rows, of_faces, of_loose, of_loads }
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "to the nearest")]

@@ -11,6 +11,7 @@ use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::method::GpuMethod;
 use crate::outcome::backend;
+use crate::outside::Outside;
 use crate::purpose::{Dispatch, Purpose};
 use crate::{ensemble, inventory};
 
@@ -25,8 +26,8 @@ impl Gpu {
 /// A solver of the core that computes on a GPU. The settings are those of the core's solver, and mean the same.
 #[derive(Clone, Debug)]
 pub struct OnGpu<S> {
-    gpu: Gpu,
-    method: S,
+    pub(crate) gpu: Gpu,
+    pub(crate) method: S,
     dispatch: Dispatch,
 }
 
@@ -45,12 +46,13 @@ impl<S: GpuMethod> OnGpu<S> {
 
     /// What [`Solver::session`] gives, by its own name.
     pub fn on<'a>(&'a self, model: &'a Model) -> OnModel<'a, S> {
-        let engine = Engine::new(&self.gpu, &[model], self.purpose([model].into_iter()), 1);
-        OnModel { method: &self.method, model, engine }
+        let purpose = self.purpose([model].into_iter());
+        let engine = Engine::new(&self.gpu, model, &Outside::default(), purpose);
+        OnModel { on: self, model, purpose, engine }
     }
 
     /// What an engine for `models` has to do.
-    fn purpose<'m>(&self, models: impl Iterator<Item = &'m Model>) -> Purpose {
+    pub(crate) fn purpose<'m>(&self, models: impl Iterator<Item = &'m Model>) -> Purpose {
         self.method.method().purpose(self.dispatch, models)
     }
 }
@@ -88,8 +90,9 @@ impl<S: GpuMethod> Solver for OnGpu<S> {
 /// `render` a `Renderer` can draw the sheet where the session has left it.
 #[derive(Debug)]
 pub struct OnModel<'a, S> {
-    method: &'a S,
+    on: &'a OnGpu<S>,
     model: &'a Model,
+    purpose: Purpose,
     engine: Result<Engine, GpuError>,
 }
 
@@ -109,9 +112,15 @@ impl<S: GpuMethod> Session for OnModel<'_, S> {
         scene: &Scene,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
+        // Supports and loads need room: where a scene brings some, the engine is built once more.
+        if let Ok(engine) = &self.engine
+            && !engine.outside().covers(scene)
+        {
+            self.engine = Engine::new(&self.on.gpu, self.model, &engine.outside().with(scene), self.purpose);
+        }
         let engine = self.engine.as_mut().map_err(|error| backend(error.clone(), start, 0))?;
         let instance = Instance { model: self.model, start: start.clone(), scene: scene.clone() };
-        let mut results = self.method.method().run(engine, &[instance], &mut |_, progress| observe(progress));
+        let mut results = self.on.method.method().run(engine, &[instance], &mut |_, progress| observe(progress));
         results.pop().expect("one result for one instance")
     }
 }

@@ -64,7 +64,7 @@ impl Traffic {
     }
 
     fn of(model: &Model, scheme: Scheme, safe: bool) -> Self {
-        let arrays = SheetArrays::new(&[model]);
+        let arrays = SheetArrays::new(model);
         let variant = Variant::new(&arrays, scheme, Some(model.material));
         let buffers = sizes(&arrays, &variant).into_iter();
         let mut buffers: Vec<_> = buffers.map(|(binding, each, once)| (binding, each + once)).collect();
@@ -197,7 +197,7 @@ mod tests {
 
     /// Whatever a pass may have: loose beams, beams of their own rigidity, fixed nodes.
     fn with_everything(scheme: Scheme) -> Variant {
-        let variant = Variant::new(&SheetArrays::new(&[&sheet()]), scheme, Some(Material::default()));
+        let variant = Variant::new(&SheetArrays::new(&sheet()), scheme, Some(Material::default()));
         Variant { loose_beams: 3, rigidities: true, fixed: true, ..variant }
     }
 
@@ -239,7 +239,7 @@ mod tests {
         assert_eq!((integrate.read, integrate.written), (64 * n + 48 * t + 4 * (n + 1), 64 * n));
         assert_eq!(find("triangle_forces", 0.05).read, forces.read - 32 * n, "without damping no velocities");
         let memory =
-            132 + 64 * n + 16 * c + 24 * c + 60 * t + 48 * t + 4 * (n + 1) + 16 * t + 16 + 48 * n + 64 * n + 4 * c;
+            148 + 64 * n + 16 * c + 24 * c + 60 * t + 48 * t + 4 * (n + 1) + 16 * t + 16 + 48 * n + 64 * n + 4 * c;
         assert_eq!(traffic.memory(), memory);
         let two = PassTraffic { name: "two", per_step: 0.5, read: 60, written: 20 };
         let simple = Traffic { nodes: 4, buffers: Vec::new(), passes: vec![two, two] };

@@ -43,8 +43,9 @@ fn turn<const N: usize>(matrix: &mut [[f64; N]; N], vectors: &mut [[f64; N]; N],
         (row[p], row[q]) = rotate(row[p], row[q]);
     }
     for rows in [&mut *matrix, vectors] {
-        for column in 0..N {
-            (rows[p][column], rows[q][column]) = rotate(rows[p][column], rows[q][column]);
+        let (before, from_q) = rows.split_at_mut(q);
+        for (a, b) in before[p].iter_mut().zip(&mut from_q[0]) {
+            (*a, *b) = rotate(*a, *b);
         }
     }
     // But for rounding they are.

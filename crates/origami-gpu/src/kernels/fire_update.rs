@@ -92,13 +92,13 @@ mod tests {
         let bench = bench(&gpu);
         write_sums(&bench, [1.0, 1.0, 1.0]);
         bench.change_control(|c| {
-            (c.ramp_step, c.ramp_length, c.held, c.distance_squared_max, c.move_squared_max) = (1, 3, 1, 7, 7);
+            (c.ramp_step, c.ramp_length, c.too_fast, c.distance_squared_max, c.move_squared_max) = (1, 3, 1, 7, 7);
         });
         let mut steps = Vec::new();
         for _ in 0..4 {
             bench.run(&[&KERNEL], false);
             let control = bench.control();
-            assert_eq!((control.held, control.distance_squared_max, control.move_squared_max), (0, 0, 0));
+            assert_eq!((control.too_fast, control.distance_squared_max, control.move_squared_max), (0, 0, 0));
             steps.push(control.ramp_step);
         }
         assert_eq!(steps, [1, 2, 3, 3]);

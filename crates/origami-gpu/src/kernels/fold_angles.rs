@@ -114,20 +114,20 @@ mod tests {
     fn a_crease_that_turns_fast_holds_the_ramp_of_a_relaxation() {
         let Some(gpu) = gpu() else { return };
         let case = held(&cases()[0]);
-        let held_after = |scheme, turned: f64| {
+        let waits_after = |scheme, turned: f64| {
             let mut case = case.clone();
             let angles = creases::fold_angles(&case.model, &case.state.positions, &case.state.fold_angles);
             case.state.fold_angles = angles.iter().map(|a| f64::from(*a as f32)).collect();
             case.state.fold_angles[5] += turned;
             let bench = Bench::new(&gpu, &case, scheme);
             bench.run(&[&KERNEL], false);
-            bench.control().held
+            bench.control().too_fast
         };
         let hold = origami_core::twins::fire_update::HOLD;
-        assert_eq!(held_after(Scheme::Relax, 1.01 * hold), 1);
-        assert_eq!(held_after(Scheme::Relax, -1.01 * hold), 1);
-        assert_eq!(held_after(Scheme::Relax, 0.99 * hold), 0);
-        assert_eq!(held_after(EULER, 1.01 * hold), 0, "the ramp of dynamics does not wait");
+        assert_eq!(waits_after(Scheme::Relax, 1.01 * hold), 1);
+        assert_eq!(waits_after(Scheme::Relax, -1.01 * hold), 1);
+        assert_eq!(waits_after(Scheme::Relax, 0.99 * hold), 0);
+        assert_eq!(waits_after(EULER, 1.01 * hold), 0, "the ramp of dynamics does not wait");
     }
 
     #[test]

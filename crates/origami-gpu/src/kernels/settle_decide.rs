@@ -59,7 +59,7 @@ mod tests {
         ] {
             let [largest, least, ahead, change] = found;
             write(&bench, largest, least, ahead, change);
-            bench.change_control(|c| (c.checks, c.window_end) = (1, 1));
+            bench.change_control(|c| (c.checks, c.window_end, c.window_is_sound) = (1, 1, 1));
             bench.run(&[&KERNEL], false);
             let got = bench.control().distance;
             assert!((got / wanted - 1.0).abs() < 1e-6, "{found:?}: {got} is not {wanted}");
@@ -70,14 +70,18 @@ mod tests {
         }
     }
 
-    /// Checks until it has settled; how many checks that took on the GPU.
-    fn checks_until_settled(bench: &Bench, share_at: impl Fn(u32) -> f64) -> u32 {
+    /// Checks until it has settled; how many checks that took on the GPU. Before one of them it may be disturbed.
+    fn checks_until_settled(bench: &Bench, disturbed_before: Option<u32>, share_at: impl Fn(u32) -> f64) -> u32 {
         bench.change_control(|c| {
             let (limit, bad_node) = (c.limit, c.bad_node);
             *c = Control { limit, bad_node, tolerance: TOLERANCE, stops_when_settled: 1, ..Control::default() };
         });
         let mut twin = Windows::default();
         for check in 0..200 {
+            if disturbed_before == Some(check) {
+                bench.change_control(Control::disturb);
+                twin.disturb();
+            }
             let share = share_at(check);
             write(bench, share as f32 * TOLERANCE, 0.0, 0.0, 1.0);
             bench.run(&[&KERNEL], false);
@@ -87,6 +91,8 @@ mod tests {
             assert_eq!(control.stop == SETTLED, settled, "check {check}");
             assert_eq!(control.settled_windows, twin.settled, "check {check}");
             assert_eq!(u64::from(control.window_end) * SHORTEST, twin.end, "check {check}");
+            assert_eq!(control.window_is_sound == 1, twin.sound, "check {check}");
+            assert_eq!(control.has_settled(), twin.has_settled(), "check {check}");
             if settled {
                 return check;
             }
@@ -100,12 +106,16 @@ mod tests {
         let bench = bench(&gpu, Scheme::Relax);
         let far = |until: u32, then: f64| move |check: u32| if check < until { 5.0 } else { then };
         let least = (LEAST / SHORTEST) as u32;
-        assert_eq!(checks_until_settled(&bench, |_| 0.01), least, "never before");
+        assert_eq!(checks_until_settled(&bench, None, |_| 0.01), least, "never before");
         assert_eq!(bench.control().step, 1, "the evaluation that found it counts");
         let (small, middling) =
-            (checks_until_settled(&bench, far(60, 0.01)), checks_until_settled(&bench, far(60, 0.2)));
+            (checks_until_settled(&bench, None, far(60, 0.01)), checks_until_settled(&bench, None, far(60, 0.2)));
         assert!(small < middling, "a small share counts twice");
-        assert!(checks_until_settled(&bench, |check| if check % 40 == 30 { 5.0 } else { 0.2 }) > 3);
+        for before in [0, 7, 40, 63] {
+            let disturbed = checks_until_settled(&bench, Some(before), far(60, 0.01));
+            assert!(disturbed >= small.min(before + 3), "disturbed before check {before}: {disturbed}");
+        }
+        assert!(checks_until_settled(&bench, None, |check| if check % 40 == 30 { 5.0 } else { 0.2 }) > 3);
     }
 
     #[test]

@@ -73,7 +73,7 @@ impl Sheet {
 /// What the constants of the five passes are taken from.
 pub(super) fn variant(model: &Model) -> Variant {
     let scheme = Scheme::Dynamics { verlet: false, damped: true };
-    Variant::new(&SheetArrays::new(&[model]), scheme, Some(model.material))
+    Variant::new(&SheetArrays::new(model), scheme, Some(model.material))
 }
 
 /// Displacements from rest, and velocities.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use bytemuck::Pod;
 use origami_core::State;
+use origami_core::scene::{Held, Scene};
 use origami_core::solve::{Integrator, time_step};
 
 use crate::Gpu;
@@ -41,7 +42,7 @@ pub(crate) struct Bench {
 impl Bench {
     /// With the velocities of the case even in a relaxation, and its targets at once.
     pub(crate) fn new(gpu: &Gpu, case: &Case, scheme: Scheme) -> Self {
-        let engine = Engine::bare(gpu, &[&case.model], scheme).expect("it fits");
+        let engine = Engine::bare(gpu, &case.model, scheme).expect("it fits");
         let integrator = match scheme {
             Scheme::Dynamics { verlet: true, .. } => Integrator::Verlet,
             _ => Integrator::Euler,
@@ -49,6 +50,8 @@ impl Bench {
         let beginning = Beginning {
             model: &case.model,
             state: case.state.clone(),
+            held: Held::new(&case.model, &Scene::default()),
+            loads: Vec::new(),
             targets: case.state.targets.clone(),
             ramp: 0,
             limit: 1000,
@@ -58,7 +61,7 @@ impl Bench {
             damping_sum: time_step::damping_sum(&case.model, integrator),
         };
         engine.load(&[beginning]).expect("written");
-        let bench = Self { engine, arrays: SheetArrays::new(&[&case.model]), passes: RefCell::default() };
+        let bench = Self { engine, arrays: SheetArrays::new(&case.model), passes: RefCell::default() };
         bench.change_nodes(|i, node| node.velocity = crate::layout::single(case.state.velocities[i]));
         bench
     }

@@ -15,7 +15,7 @@ const STRAINED: f64 = 1e-3;
 /// At any other percentage strain is no sign: a uniform share of all angles is on no rigid path.
 #[must_use]
 pub fn strained_at_rest(model: &Model, folded: &Folded) -> Option<Warning> {
-    let Some(percent) = folded.percent().filter(|percent| percent.abs() == 100.0) else { return None };
+    let percent = folded.percent().filter(|percent| percent.abs() == 100.0)?;
     if !folded.converged() {
         return None;
     }

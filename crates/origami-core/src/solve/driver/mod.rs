@@ -62,7 +62,6 @@ pub trait Solver: Send + Sync {
 }
 
 /// Lets a solver go on, whatever it says.
-#[must_use]
 pub fn unwatched(_: Progress) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }

@@ -1,6 +1,8 @@
 //! Sheets drawn from a simulation's own memory.
 
+use origami_core::scene::Scene;
 use origami_core::solve::Session;
+use origami_core::solve::unwatched;
 use origami_picture::{Camera, Projection};
 
 use super::super::DrawError;
@@ -15,7 +17,7 @@ fn a_sheet_is_drawn_where_the_session_left_it() {
     let solver = renderer.gpu.with(Relax::default());
     let mut session = solver.on(&model);
     let rest = State::at_rest(&model);
-    let folded = session.fold(&rest, 50.0, &mut |_| {}).unwrap();
+    let folded = session.fold(&rest, &Scene::percent(50.0), &mut unwatched).unwrap();
     // The session's positions count, not the figure's.
     let flat = Figure::new(&pattern, &model, &rest.positions);
     let figure = Figure::new(&pattern, &model, &folded.state.positions);
@@ -36,7 +38,7 @@ fn with_perspective_all_of_the_sheet_is_seen() {
     let model = Model::new(&pattern, &Material::default()).unwrap();
     let solver = renderer.gpu.with(Relax::default());
     let mut session = solver.on(&model);
-    let folded = session.fold(&State::at_rest(&model), 60.0, &mut |_| {}).unwrap();
+    let folded = session.fold(&State::at_rest(&model), &Scene::percent(60.0), &mut unwatched).unwrap();
     let figure = Figure::new(&pattern, &model, &folded.state.positions);
     let camera = Camera { projection: Projection::Perspective(60.0), roll: 20.0, ..Camera::default() };
     let picture = Picture { camera, ..small() };

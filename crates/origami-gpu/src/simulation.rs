@@ -93,6 +93,11 @@ impl GpuEngine {
         PositionsBuffer::of(&self.engine.buffers[&Binding::Nodes], self.model.node_count())
     }
 
+    #[cfg(feature = "render")]
+    pub(crate) fn engine(&self) -> &Engine {
+        &self.engine
+    }
+
     /// Changes the control block before the next step.
     fn change(&mut self, change: impl FnOnce(&mut Control)) {
         let before = self.control;

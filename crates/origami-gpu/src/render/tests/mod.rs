@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::sync::OnceLock;
 
 use origami_core::generate::catalog;
-use origami_core::{CreasePattern, Material, Model, Relax, State};
+use origami_core::{CreasePattern, Material, Model, Relax, Solver, State};
 use origami_picture::difference::{Difference, TOLERANCE, compare};
 use origami_picture::{Figure, Image, Picture, Processor, Renderer};
 

@@ -1,6 +1,8 @@
 //! Sheets drawn from a simulation's own memory.
 
-use origami_core::solve::Session;
+use origami_core::glam::DVec3;
+use origami_core::scene::{Scene, Targets};
+use origami_core::solve::{Session, Simulation, unwatched};
 use origami_picture::{Camera, Projection};
 
 use super::super::DrawError;
@@ -15,7 +17,7 @@ fn a_sheet_is_drawn_where_the_session_left_it() {
     let solver = renderer.gpu.with(Relax::default());
     let mut session = solver.on(&model);
     let rest = State::at_rest(&model);
-    let folded = session.fold(&rest, 50.0, &mut |_| {}).unwrap();
+    let folded = session.fold(&rest, &Scene::percent(50.0), &mut unwatched).unwrap();
     // The session's positions count, not the figure's.
     let flat = Figure::new(&pattern, &model, &rest.positions);
     let figure = Figure::new(&pattern, &model, &folded.state.positions);
@@ -30,13 +32,32 @@ fn a_sheet_is_drawn_where_the_session_left_it() {
 }
 
 #[test]
+fn a_simulation_is_drawn_where_it_is_now() {
+    let Some(renderer) = renderer() else { return };
+    let pattern = catalog::generate("miura", &[]).unwrap();
+    let model = Model::new(&pattern, &Material::default()).unwrap();
+    let mut simulation = Simulation::new(model.clone(), renderer.gpu.with(Relax::default())).unwrap();
+    simulation.set_targets(Targets::percent(50.0)).unwrap();
+    let flat = Figure::new(&pattern, &model, &model.rest);
+    let mut pictures = Vec::new();
+    for _ in 0..2 {
+        simulation.step(150).unwrap();
+        pictures.push(renderer.draw_simulation(&small(), &flat, simulation.engine(), None).unwrap());
+        let positions: Vec<DVec3> = simulation.positions().unwrap().iter().collect();
+        let should_be = renderer.draw(&small(), &Figure::new(&pattern, &model, &positions)).unwrap();
+        check("simulation", pictures.last().unwrap(), &should_be);
+    }
+    assert!(!differ(&pictures[0], &pictures[1]).within(&TOLERANCE), "it has moved on");
+}
+
+#[test]
 fn with_perspective_all_of_the_sheet_is_seen() {
     let Some(renderer) = renderer() else { return };
     let pattern = catalog::generate("kresling", &[]).unwrap();
     let model = Model::new(&pattern, &Material::default()).unwrap();
     let solver = renderer.gpu.with(Relax::default());
     let mut session = solver.on(&model);
-    let folded = session.fold(&State::at_rest(&model), 60.0, &mut |_| {}).unwrap();
+    let folded = session.fold(&State::at_rest(&model), &Scene::percent(60.0), &mut unwatched).unwrap();
     let figure = Figure::new(&pattern, &model, &folded.state.positions);
     let camera = Camera { projection: Projection::Perspective(60.0), roll: 20.0, ..Camera::default() };
     let picture = Picture { camera, ..small() };

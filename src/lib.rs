@@ -29,7 +29,9 @@
 //! | [`fold::Document`] | a FOLD file as written |
 //! | [`CreasePattern`] | what it means: letters, fold angles, faces; its [`warnings`](CreasePattern::warnings) tell what was put right |
 //! | [`Model`] | the triangulated sheet with its springs, made of a pattern and a [`Material`] |
-//! | [`Solver`] | what folds it: [`Relax`] straight to the folded state, [`Dynamics`] through the motion, `Newton` (feature `newton`) to the equilibrium itself |
+//! | [`Scene`] | what is asked of it and done to it: target angles, supports, loads, forces of one's own |
+//! | [`Simulation`] | where it is now: it can be stepped, steered, watched and saved |
+//! | [`Solver`] | how far it goes: [`Relax`] straight to the folded state, [`Dynamics`] through the motion, `Newton` (feature `newton`) to the equilibrium itself |
 //! | [`Folded`] | the [`State`] reached, why the solver stopped, how far it is from the equilibrium |
 //! | [`measure`] | strain, angle errors, distance between states, scenes that are known to go wrong |
 //! | [`export`] | FOLD, OBJ and STL files, written whole or not at all |

@@ -93,6 +93,11 @@ impl GpuEngine {
         PositionsBuffer::of(&self.engine.buffers[&Binding::Nodes], self.model.node_count())
     }
 
+    #[cfg(feature = "render")]
+    pub(crate) fn engine(&self) -> &Engine {
+        &self.engine
+    }
+
     /// Changes the control block before the next step.
     fn change(&mut self, change: impl FnOnce(&mut Control)) {
         let before = self.control;
@@ -182,7 +187,9 @@ impl GpuEngine {
         }
         self.engine.gpu.scoped(|| self.engine.write(Binding::CreaseStates, &creases))?;
         (self.from, self.to) = (start.targets, targets);
-        self.change(|c| (c.ramp_step, c.ramp_before, c.ramp_length) = (length.min(1 - c.ramp_waits), 0, length));
+        self.change(|c| {
+            (c.ramp_step, c.ramp_before, c.ramp_length) = (length.min(1_u32.saturating_sub(c.ramp_waits)), 0, length)
+        });
         self.disturb();
         Ok(())
     }

@@ -39,7 +39,9 @@ use origami_core::Error;
 use origami_picture::{DrawError, Figure, Image, Picture, Renderer, View};
 
 use crate::device::Gpu;
+use crate::engine::Engine;
 use crate::error::GpuError;
+use crate::simulation::GpuEngine;
 use crate::solver::OnModel;
 use extremes::Extremes;
 use pipelines::{Pipelines, Sampling};
@@ -112,13 +114,40 @@ impl GpuRenderer {
         view: Option<&View>,
     ) -> Result<Image, DrawError> {
         figure.check()?;
-        let engine = session.engine()?;
+        self.draw_engine(picture, figure, session.engine()?, view)
+    }
+
+    /// The same where a simulation is now: `simulation.engine()`.
+    ///
+    /// # Errors
+    /// As [`GpuRenderer::draw_session`].
+    pub fn draw_simulation(
+        &self,
+        picture: &Picture,
+        figure: &Figure,
+        simulation: &GpuEngine,
+        view: Option<&View>,
+    ) -> Result<Image, DrawError> {
+        figure.check()?;
+        self.draw_engine(picture, figure, simulation.engine(), view)
+    }
+
+    /// Draws the first sheet of an engine by a figure that has been checked.
+    fn draw_engine(
+        &self,
+        picture: &Picture,
+        figure: &Figure,
+        engine: &Engine,
+        view: Option<&View>,
+    ) -> Result<Image, DrawError> {
         if figure.positions.len() != engine.variant.nodes {
             let problem = format!("has {} nodes", figure.positions.len());
-            return Err(Error::invalid("figure", problem, format!("the session's {}", engine.variant.nodes)).into());
+            return Err(
+                Error::invalid("figure", problem, format!("the simulated sheet's {}", engine.variant.nodes)).into()
+            );
         }
         if !engine.gpu.is(&self.gpu) {
-            let adapters = format!("the session is on another device than the renderer, {}", self.gpu.adapter());
+            let adapters = format!("the sheet is on another device than the renderer, {}", self.gpu.adapter());
             return Err(GpuError::Refused(adapters).into());
         }
         let positions = node_positions::positions(engine)?;

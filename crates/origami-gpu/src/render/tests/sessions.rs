@@ -1,8 +1,8 @@
 //! Sheets drawn from a simulation's own memory.
 
-use origami_core::scene::Scene;
-use origami_core::solve::Session;
-use origami_core::solve::unwatched;
+use origami_core::glam::DVec3;
+use origami_core::scene::{Scene, Targets};
+use origami_core::solve::{Session, Simulation, unwatched};
 use origami_picture::{Camera, Projection};
 
 use super::super::DrawError;
@@ -29,6 +29,25 @@ fn a_sheet_is_drawn_where_the_session_left_it() {
     check("session-fitted", &fitted, &should_be);
     check("session-and-processor", &fitted, &Processor.draw(&small(), &figure).unwrap());
     assert!(!differ(&renderer.draw_from(&small(), &flat, &view).unwrap(), &should_be).within(&TOLERANCE));
+}
+
+#[test]
+fn a_simulation_is_drawn_where_it_is_now() {
+    let Some(renderer) = renderer() else { return };
+    let pattern = catalog::generate("miura", &[]).unwrap();
+    let model = Model::new(&pattern, &Material::default()).unwrap();
+    let mut simulation = Simulation::new(model.clone(), renderer.gpu.with(Relax::default())).unwrap();
+    simulation.set_targets(Targets::percent(50.0)).unwrap();
+    let flat = Figure::new(&pattern, &model, &model.rest);
+    let mut pictures = Vec::new();
+    for _ in 0..2 {
+        simulation.step(150).unwrap();
+        pictures.push(renderer.draw_simulation(&small(), &flat, simulation.engine(), None).unwrap());
+        let positions: Vec<DVec3> = simulation.positions().unwrap().iter().collect();
+        let should_be = renderer.draw(&small(), &Figure::new(&pattern, &model, &positions)).unwrap();
+        check("simulation", pictures.last().unwrap(), &should_be);
+    }
+    assert!(!differ(&pictures[0], &pictures[1]).within(&TOLERANCE), "it has moved on");
 }
 
 #[test]

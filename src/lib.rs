@@ -50,14 +50,14 @@
 //!
 //! # Features
 //!
-//! All are off by default.
-//!
 //! | feature | what it adds |
 //! |---|---|
 //! | `gpu` | the module `gpu`: the same solvers through wgpu; `gpu.with(Relax::default())` is a [`Solver`] like any other |
 //! | `render` | the module `picture`: pictures and films on the CPU; with `gpu` also `gpu::render` |
 //! | `newton` | `Newton`: equilibria to a residual of 1e-10, the reference that errors are measured against |
 //! | `study` | the module `study`: error against run time, and what holds on stiff and extreme scenes |
+//! | `serde` | `Serialize` and `Deserialize` for settings, scenes, states and saved simulations |
+//! | `files`, `parallel` | on by default: paths, and threads |
 //!
 //! This crate is a facade: everything is re-exported from `origami_core`, `origami_gpu`, `origami_picture` and
 //! `origami_study`.

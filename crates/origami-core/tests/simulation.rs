@@ -300,7 +300,17 @@ fn supports_hold_along_their_axes_and_carry_the_loads() {
     assert_eq!(loaded.reactions.len(), 3);
     assert_eq!(loaded.reactions[1].force.truncate(), DVec2::ZERO, "no reaction along free axes");
 
-    // The same by the simulation's own reactions, and by dynamics that comes to rest.
+    // The same by Newton's method, and by the simulation's own reactions.
+    #[cfg(feature = "newton")]
+    {
+        let newton =
+            origami_core::Newton::default().fold(&model, &folded.state, &scene, &mut unwatched).expect("holds");
+        assert!(newton.converged() && newton.residual < 1e-9, "{newton:?}");
+        let far = farthest(&loaded.state.positions, &newton.state.positions);
+        assert!(far < 1e-6, "{far} radii apart");
+        let same = loaded.reactions.iter().zip(&newton.reactions).all(|(a, b)| a.force.distance(b.force) < 1e-5);
+        assert!(same && newton.reactions.len() == 3, "{:?}", newton.reactions);
+    }
     let mut simulation = Simulation::in_scene(model.clone(), relax, &scene, folded.state.clone()).expect("it runs");
     simulation.settle(200_000).expect("holds");
     let reactions = simulation.reactions().expect("read");

@@ -4,14 +4,14 @@
 //! [`origami_core::Solver`] like any other, with the same results up to rounding.
 //!
 //! ```
-//! use origami_core::{Material, Model, Relax, Solver, State, generate::BirdBase};
+//! use origami_core::{Material, Model, Relax, Solver, generate::BirdBase};
 //! use origami_gpu::{AdapterChoice, Gpu};
 //!
 //! let pattern = BirdBase::default().pattern()?;
 //! let model = Model::new(&pattern, &Material::default())?;
 //! match Gpu::open(&AdapterChoice::from_env()) {
 //!     Ok(gpu) => {
-//!         let folded = gpu.with(Relax::default()).fold(&model, &State::at_rest(&model), 90.0, &mut |_| {})?;
+//!         let folded = gpu.with(Relax::default()).fold_from_rest(&model, 90.0)?;
 //!         assert!(folded.converged());
 //!     }
 //!     // A machine without an adapter: the message says what to install.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use origami_core::csr::Csr;
 use origami_core::ids::NodeId;
 use origami_core::model::{Beam, Crease, Model, StiffnessSource};
 
@@ -197,20 +198,15 @@ fn slots(model: &Model, outside: &Outside) -> Slots {
     let triangles = || model.mesh.triangles.iter().map(|t| t.map(|n| n.index()));
     // Scenes are checked later.
     let loaded = || outside.loaded.iter().filter(|node| node.index() < model.node_count());
-    let mut rows = vec![0_u32; model.node_count() + 1];
     let ends = triangles().flatten().chain(loose.iter().flatten().copied()).chain(loaded().map(|node| node.index()));
-    ends.for_each(|node| rows[node + 1] += 1);
-    for n in 0..model.node_count() {
-        rows[n + 1] += rows[n];
-    }
-    let mut next = rows.clone();
-    let mut take = |node: usize| {
-        next[node] += 1;
-        next[node] - 1
-    };
-    let of_faces = triangles().map(|t| t.map(&mut take)).collect();
-    let of_loose = loose.iter().map(|ends| ends.map(&mut take)).collect();
-    let of_loads = loaded().map(|node| (*node, take(node.index()))).collect();
+    let (rows, entries) = Csr::from_entries(model.node_count(), ends.zip(0_u32..)).into_parts();
+    let mut slot_of_entry = vec![0_u32; entries.len()];
+    (0..).zip(&entries).for_each(|(slot, entry)| slot_of_entry[*entry as usize] = slot);
+    let mut slots = slot_of_entry.into_iter();
+    let mut take = || slots.next().expect("one slot for each entry");
+    let of_faces = triangles().map(|t| t.map(|_| take())).collect();
+    let of_loose = loose.iter().map(|ends| ends.map(|_| take())).collect();
+    let of_loads = loaded().map(|node| (*node, take())).collect();
     Slots { rows, of_faces, of_loose, of_loads }
 }
 

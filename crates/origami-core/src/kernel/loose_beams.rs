@@ -2,12 +2,12 @@
 
 use super::isa::Pass;
 use super::lane::{GatherScatter, Num, Vec3};
+use super::layout::Layout;
 use super::real::{Quad64, Real};
-use super::sheet::Sheet;
 
 /// Writes the forces on the two ends of each.
 pub(super) struct LooseBeams<'a, R: Real> {
-    pub(super) sheet: &'a Sheet<R>,
+    pub(super) layout: &'a Layout<R>,
     pub(super) positions: &'a [Quad64],
     /// Empty: no damping.
     pub(super) velocities: &'a [R::Quad],
@@ -20,8 +20,8 @@ impl<R: Real> Pass<R> for LooseBeams<'_, R> {
     #[inline(always)]
     fn run<L: GatherScatter<Real = R>>(self, lane: L) {
         let zero = Num::splat(lane, 0.0);
-        let ends = self.sheet.loose_ends.chunks_exact(2 * L::WIDTH);
-        let beams = self.sheet.loose_beams.chunks_exact(3 * L::WIDTH);
+        let ends = self.layout.loose_ends.chunks_exact(2 * L::WIDTH);
+        let beams = self.layout.loose_beams.chunks_exact(3 * L::WIDTH);
         let slots = self.slots.chunks_exact_mut(2 * L::WIDTH);
         for ((ends, beam), slots) in ends.zip(beams).zip(slots) {
             let (from, to) = ends.split_at(L::WIDTH);

@@ -16,6 +16,7 @@ mod integrate;
 mod isa;
 mod lane;
 mod lanes;
+mod layout;
 mod lookup;
 mod loose_beams;
 mod outside;
@@ -27,7 +28,6 @@ mod parallelism;
 mod real;
 mod reduce_forces;
 mod share;
-mod sheet;
 mod triangle_forces;
 
 #[cfg(test)]
@@ -47,12 +47,12 @@ use fire_move::FireMove;
 use fold_angles::FoldAngles;
 use integrate::{Euler, Verlet};
 use isa::Isa;
+use layout::Layout;
 use loose_beams::LooseBeams;
 use outside::{Apply, Outside};
 use parallelism::Parallelism;
 use real::Real;
 use reduce_forces::{BLOCK, ReduceForces, total_of};
-use sheet::Sheet;
 use triangle_forces::{AtRest, TriangleForces};
 
 /// A sheet in motion.
@@ -61,7 +61,7 @@ pub(crate) struct Kernel<R: Compute> {
     isa: Isa,
     parallelism: Parallelism,
     bounds: Bounds,
-    sheet: Sheet<R>,
+    layout: Layout<R>,
     positions: Vec<Quad64>,
     velocities: Vec<R::Quad>,
     /// By crease.
@@ -101,14 +101,14 @@ impl<R: Compute> Kernel<R> {
         velocities: &[DVec3],
         angles: &[f64],
     ) -> Self {
-        let mut sheet = Sheet::new(model, R::width(isa), damped);
-        let at_rest = sheet.padded_positions(&model.rest);
-        let Sheet { corners, beams, angles: corner_angles, .. } = &mut sheet;
+        let mut layout = Layout::new(model, R::width(isa), damped);
+        let at_rest = layout.padded_positions(&model.rest);
+        let Layout { corners, beams, angles: corner_angles, .. } = &mut layout;
         R::run(isa, AtRest { corners, positions: &at_rest, beams, angles: corner_angles });
-        let positions = sheet.padded_positions(positions);
+        let positions = layout.padded_positions(positions);
         let mut velocities: Vec<R::Quad> = velocities.iter().map(|v| R::quad_of(*v)).collect();
         velocities.resize(positions.len(), R::Quad::default());
-        let creases = sheet.stiffness.len();
+        let creases = layout.stiffness.len();
         let mut angles: Vec<R> = angles.iter().map(|angle| R::of(*angle)).collect();
         angles.resize(creases, R::default());
         let mut kernel = Self {
@@ -120,11 +120,11 @@ impl<R: Compute> Kernel<R> {
             angles,
             targets: vec![R::default(); creases],
             moments: vec![R::default(); creases.next_power_of_two()],
-            slots: vec![R::Quad::default(); sheet.slot_count()],
+            slots: vec![R::Quad::default(); layout.slot_count()],
             forces: Vec::new(),
             sums: Vec::new(),
             outside: Outside::none(),
-            sheet,
+            layout,
         };
         kernel.set_outside(model, &Held::new(model, &Scene::default()), false, std::iter::empty());
         kernel
@@ -149,8 +149,8 @@ impl<R: Compute> Kernel<R> {
         let axes_of = |n: &u32| axes.next_if(|(node, _)| node.0 == *n).map_or(Axes::default(), |(_, axes)| axes);
         let own: Vec<Axes> = nodes.iter().map(axes_of).collect();
         if nodes != self.outside.nodes {
-            self.sheet.add_slots(model, R::width(self.isa), &nodes);
-            self.slots.resize(self.sheet.slot_count() + nodes.len(), R::Quad::default());
+            self.layout.add_slots(model, R::width(self.isa), &nodes);
+            self.slots.resize(self.layout.slot_count() + nodes.len(), R::Quad::default());
             self.outside.loads = vec![R::Quad::default(); nodes.len()];
         }
         (self.outside.nodes, self.outside.held) = (nodes, own);
@@ -173,7 +173,7 @@ impl<R: Compute> Kernel<R> {
     /// What holds a node along some axes does to it, as of the last second pass.
     pub(crate) fn reaction(&self, node: NodeId, axes: Axes) -> DVec3 {
         let Ok(i) = self.outside.nodes.binary_search(&node.0) else { return DVec3::ZERO };
-        let last = self.slots[self.sheet.slot_count() + i];
+        let last = self.slots[self.layout.slot_count() + i];
         axes.of(R::vector(last) - R::vector(self.outside.loads[i]))
     }
 
@@ -192,10 +192,10 @@ impl<R: Compute> Kernel<R> {
     /// First pass: fold angles and moments. The result is the most by which a crease turned since the last, in radians.
     pub(crate) fn fold_angles(&mut self) -> f64 {
         self.parallelism.step();
-        if self.sheet.stiffness.is_empty() {
+        if self.layout.stiffness.is_empty() {
             return 0.0;
         }
-        let Self { sheet: Sheet { hinges, stiffness, .. }, positions, targets, angles, moments, .. } = self;
+        let Self { layout: Layout { hinges, stiffness, .. }, positions, targets, angles, moments, .. } = self;
         share::run::<R, _>(
             self.isa,
             FoldAngles { positions, hinges, stiffness, targets, angles, moments },
@@ -205,30 +205,30 @@ impl<R: Compute> Kernel<R> {
 
     /// Second pass: forces of all springs, and of the damping if `damped`.
     pub(crate) fn triangle_forces(&mut self, damped: bool) {
-        let Self { sheet, positions, moments, .. } = self;
-        let velocities = if damped && sheet.damped { &self.velocities[..] } else { &[] };
-        let (springs, last) = self.slots.split_at_mut(sheet.slot_count());
-        let (slots, loose) = springs.split_at_mut(sheet.corners.len());
+        let Self { layout, positions, moments, .. } = self;
+        let velocities = if damped && layout.damped { &self.velocities[..] } else { &[] };
+        let (springs, last) = self.slots.split_at_mut(layout.slot_count());
+        let (slots, loose) = springs.split_at_mut(layout.corners.len());
         share::run::<R, _>(
             self.isa,
-            TriangleForces { sheet, positions, velocities, moments, first: 0, slots },
+            TriangleForces { layout, positions, velocities, moments, first: 0, slots },
             self.parallelism.tasks(),
         );
         if !loose.is_empty() {
-            R::run(self.isa, LooseBeams { sheet, positions, velocities, slots: loose });
+            R::run(self.isa, LooseBeams { layout, positions, velocities, slots: loose });
         }
         if !last.is_empty() {
-            let (rows, slots) = (sheet.slots.starts(), sheet.slots.items());
+            let (rows, slots) = (layout.slots.starts(), layout.slots.items());
             R::run(self.isa, Apply { outside: &self.outside, rows, slots, springs, last });
         }
     }
 
     /// Third pass of dynamics, first order. False where a node may be out of bounds.
     pub(crate) fn euler(&mut self, time_step: f64) -> bool {
-        let nodes = self.sheet.nodes;
+        let nodes = self.layout.nodes;
         let (positions, velocities) = (&mut self.positions[..nodes], &mut self.velocities[..nodes]);
-        let Self { sheet, slots: forces, bounds, .. } = self;
-        let (rows, slots) = (sheet.slots.starts(), sheet.slots.items());
+        let Self { layout, slots: forces, bounds, .. } = self;
+        let (rows, slots) = (layout.slots.starts(), layout.slots.items());
         share::run::<R, _>(
             self.isa,
             Euler { bounds: *bounds, rows, slots, forces, positions, velocities, time_step },
@@ -238,10 +238,10 @@ impl<R: Compute> Kernel<R> {
 
     /// Third pass of dynamics, second order. False where a node may be out of bounds.
     pub(crate) fn verlet(&mut self, time_step: f64, previous_step: f64) -> bool {
-        let nodes = self.sheet.nodes;
+        let nodes = self.layout.nodes;
         self.forces.resize(nodes, R::Quad::default());
-        let Self { sheet, slots: forces, forces: accelerations, bounds, .. } = self;
-        let (rows, slots) = (sheet.slots.starts(), sheet.slots.items());
+        let Self { layout, slots: forces, forces: accelerations, bounds, .. } = self;
+        let (rows, slots) = (layout.slots.starts(), layout.slots.items());
         let (positions, velocities) = (&mut self.positions[..nodes], &mut self.velocities[..nodes]);
         let bounds = *bounds;
         let pass =
@@ -251,11 +251,11 @@ impl<R: Compute> Kernel<R> {
 
     /// Third pass of a relaxation: sums the forces on each node. `masses` are by node, with their inverses.
     pub(crate) fn reduce_forces(&mut self, masses: &[[f64; 2]]) -> Sums {
-        let nodes = self.sheet.nodes;
+        let nodes = self.layout.nodes;
         self.forces.resize(nodes, R::Quad::default());
         self.sums.resize(nodes.div_ceil(BLOCK), Sums::default());
-        let Self { sheet, slots: forces, forces: node_forces, sums, .. } = self;
-        let (rows, slots) = (sheet.slots.starts(), sheet.slots.items());
+        let Self { layout, slots: forces, forces: node_forces, sums, .. } = self;
+        let (rows, slots) = (layout.slots.starts(), layout.slots.items());
         let velocities = &self.velocities[..nodes];
         share::run::<R, _>(
             self.isa,
@@ -267,7 +267,7 @@ impl<R: Compute> Kernel<R> {
 
     /// Last pass of a relaxation: moves the nodes. False where a node may be out of bounds.
     pub(crate) fn fire_move(&mut self, masses: &[[f64; 2]], decision: Decision) -> bool {
-        let nodes = self.sheet.nodes;
+        let nodes = self.layout.nodes;
         let Self { forces, bounds, .. } = self;
         let (positions, velocities) = (&mut self.positions[..nodes], &mut self.velocities[..nodes]);
         let pass = FireMove { decision, bounds: *bounds, forces, masses, positions, velocities };
@@ -277,13 +277,13 @@ impl<R: Compute> Kernel<R> {
     /// Writes the positions of the nodes, in radii.
     pub(crate) fn read_positions(&self, positions: &mut Vec<DVec3>) {
         positions.clear();
-        positions.extend(self.positions[..self.sheet.nodes].iter().map(|quad| f64::vector(*quad)));
+        positions.extend(self.positions[..self.layout.nodes].iter().map(|quad| f64::vector(*quad)));
     }
 
     /// Writes the velocities of the nodes.
     pub(crate) fn read_velocities(&self, velocities: &mut Vec<DVec3>) {
         velocities.clear();
-        velocities.extend(self.velocities[..self.sheet.nodes].iter().map(|quad| R::vector(*quad)));
+        velocities.extend(self.velocities[..self.layout.nodes].iter().map(|quad| R::vector(*quad)));
     }
 
     /// Writes the fold angles, in radians; `angles` has one for each crease.
@@ -298,7 +298,7 @@ impl<R: Compute> Kernel<R> {
     pub(crate) fn positions_and_forces(&self) -> impl Iterator<Item = [DVec3; 2]> + '_ {
         let sum = |slots: &[u32]| slots.iter().map(|slot| R::vector(self.slots[*slot as usize])).sum::<DVec3>();
         let mut outside = self.outside.nodes.iter().zip(&self.outside.held).peekable();
-        let forces = (0_u32..).zip(self.sheet.slots.iter()).map(move |(n, slots)| {
+        let forces = (0_u32..).zip(self.layout.slots.iter()).map(move |(n, slots)| {
             match outside.next_if(|(node, _)| **node == n) {
                 Some((_, axes)) => axes.without(sum(slots)),
                 None => sum(slots),
@@ -309,7 +309,7 @@ impl<R: Compute> Kernel<R> {
 
     /// Where the nodes are, where they lie.
     pub(crate) fn positions(&self) -> &[Quad64] {
-        &self.positions[..self.sheet.nodes]
+        &self.positions[..self.layout.nodes]
     }
 
     /// Puts all nodes elsewhere.

@@ -8,13 +8,13 @@
 use super::angle::small_angle_of;
 use super::isa::{Compute, Pass};
 use super::lane::{GatherScatter, Lane, Num, Vec3};
+use super::layout::Layout;
 use super::real::{Quad64, Real};
 use super::share::Cut;
-use super::sheet::Sheet;
 
 /// Writes the forces on the three corners of each triangle.
 pub(super) struct TriangleForces<'a, R: Real> {
-    pub(super) sheet: &'a Sheet<R>,
+    pub(super) layout: &'a Layout<R>,
     pub(super) positions: &'a [Quad64],
     /// Empty: no damping.
     pub(super) velocities: &'a [R::Quad],
@@ -30,9 +30,9 @@ impl<R: Real> Pass<R> for TriangleForces<'_, R> {
 
     #[inline(always)]
     fn run<L: GatherScatter<Real = R>>(self, lane: L) {
-        let Self { sheet, positions, velocities, moments, first, slots } = self;
-        let corners = sheet.corners[3 * first..].chunks_exact(3 * L::WIDTH);
-        let input = Input { sheet, positions, velocities, moments };
+        let Self { layout, positions, velocities, moments, first, slots } = self;
+        let corners = layout.corners[3 * first..].chunks_exact(3 * L::WIDTH);
+        let input = Input { layout, positions, velocities, moments };
         let slots = slots.chunks_exact_mut(3 * L::WIDTH);
         for (chunk, (corners, slots)) in (first / L::WIDTH..).zip(corners.zip(slots)) {
             let forces = input.forces(lane, chunk, corners);
@@ -163,7 +163,7 @@ impl<R: Real> Pass<R> for AtRest<'_, R> {
 
 /// What the pass reads.
 struct Input<'a, R: Real> {
-    sheet: &'a Sheet<R>,
+    layout: &'a Layout<R>,
     positions: &'a [Quad64],
     velocities: &'a [R::Quad],
     moments: &'a [R],
@@ -178,7 +178,7 @@ impl<R: Real> Input<'_, R> {
         let ([over_ab, over_bc], [over_ca, over_area]) = (inverses(l_ab, l_bc), inverses(l_ca, doubled_area));
 
         // The beams: forces over lengths, k (l - l0) / l.
-        let [rest_ab, rest_bc, rest_ca, k_ab, k_bc, k_ca] = fields(lane, &self.sheet.beams, chunk);
+        let [rest_ab, rest_bc, rest_ca, k_ab, k_bc, k_ca] = fields(lane, &self.layout.beams, chunk);
         let on_ab = k_ab * (l_ab - rest_ab) * over_ab;
         let on_bc = k_bc * (l_bc - rest_bc) * over_bc;
         let on_ca = k_ca * (l_ca - rest_ca) * over_ca;
@@ -186,7 +186,7 @@ impl<R: Real> Input<'_, R> {
         let mut at_b = ab.sub_mul(on_ab, bc * on_bc);
 
         if !self.velocities.is_empty() {
-            let [c_ab, c_bc, c_ca] = fields(lane, &self.sheet.damping, chunk);
+            let [c_ab, c_bc, c_ca] = fields(lane, &self.layout.damping, chunk);
             let ab = Vec3::new(lane, lane.gather_velocity_differences(self.velocities, a, b));
             let bc = Vec3::new(lane, lane.gather_velocity_differences(self.velocities, b, c));
             // From c to a it is minus the sum of these two.
@@ -194,12 +194,12 @@ impl<R: Real> Input<'_, R> {
             at_b = bc.mul_add(c_bc, ab.sub_mul(c_ab, at_b));
         }
 
-        if !self.sheet.angles.is_empty() {
-            let [cos_a, sin_a, cos_b, sin_b] = fields(lane, &self.sheet.angles, chunk);
+        if !self.layout.angles.is_empty() {
+            let [cos_a, sin_a, cos_b, sin_b] = fields(lane, &self.layout.angles, chunk);
             let one = deviation(cos_a, sin_a, doubled_area, dots[0]);
             let two = deviation(cos_b, sin_b, doubled_area, dots[1]);
             let three = -(one + two);
-            let stiff = over_area * Num::splat(lane, self.sheet.k_face);
+            let stiff = over_area * Num::splat(lane, self.layout.k_face);
             let on_ab = stiff * (two - one) * (over_ab * over_ab);
             let on_bc = stiff * (three - two) * (over_bc * over_bc);
             let on_ca = stiff * (one - three) * (over_ca * over_ca);
@@ -207,8 +207,8 @@ impl<R: Real> Input<'_, R> {
             at_b = at_b + normal.cross(ab.sub_mul(on_ab, bc * on_bc));
         }
 
-        if !self.sheet.creases.is_empty() {
-            let own = &self.sheet.creases[chunk * 3 * L::WIDTH..][..3 * L::WIDTH];
+        if !self.layout.creases.is_empty() {
+            let own = &self.layout.creases[chunk * 3 * L::WIDTH..][..3 * L::WIDTH];
             let over_square = over_area * over_area;
             let (on_ab, others) = own.split_at(L::WIDTH);
             let (on_bc, on_ca) = others.split_at(L::WIDTH);

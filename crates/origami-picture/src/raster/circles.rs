@@ -1,14 +1,15 @@
 //! Triangles that lie upon each other in a circle: no depths say which is in front, so pairs do.
 
+use origami_core::csr::Csr;
+
 use crate::camera::View;
 use crate::figure::Figure;
 use crate::layers::NEAR;
 
 /// By triangle: those that it is in front of or behind.
 pub(super) struct Circles {
-    starts: Vec<usize>,
-    /// The other triangle, and whether this one is in front of it.
-    others: Vec<(u32, bool)>,
+    /// By triangle: the other one, and whether this one is in front of it; no rows where there are no circles.
+    others: Csr<(u32, bool)>,
     /// In clip depth: nearer than this pairs tell.
     near: f64,
 }
@@ -22,23 +23,14 @@ impl Circles {
             entries.extend([(*low, *high, !from_above), (*high, *low, from_above)]);
         }
         entries.sort_unstable();
-        let mut starts = vec![0; if entries.is_empty() { 0 } else { figure.triangles.len() + 1 }];
-        for (triangle, ..) in &entries {
-            starts[*triangle as usize + 1] += 1;
-        }
-        for i in 1..starts.len() {
-            starts[i] += starts[i - 1];
-        }
-        Self {
-            starts,
-            others: entries.into_iter().map(|(_, other, front)| (other, front)).collect(),
-            near: NEAR * view.depth_of_radius(),
-        }
+        let rows = if entries.is_empty() { 0 } else { figure.triangles.len() };
+        let others = entries.iter().map(|(triangle, other, front)| (*triangle as usize, (*other, *front)));
+        Self { others: Csr::from_entries(rows, others), near: NEAR * view.depth_of_radius() }
     }
 
     /// Whether there are any.
     pub(super) fn is_empty(&self) -> bool {
-        self.others.is_empty()
+        self.others.items().is_empty()
     }
 
     /// Whether `triangle` is in front of `other`, whose depths without layers these are; `None` if they are in no circle.
@@ -50,8 +42,8 @@ impl Circles {
 
     /// Whether `triangle` belongs in front of `other`.
     fn pair(&self, triangle: u32, other: u32) -> Option<bool> {
-        let t = triangle as usize;
-        let own = self.others.get(*self.starts.get(t)?..*self.starts.get(t + 1)?)?;
+        let triangle = triangle as usize;
+        let own = if triangle < self.others.rows() { self.others.row(triangle) } else { return None };
         let index = own.binary_search_by_key(&other, |(other, _)| *other).ok()?;
         own.get(index).map(|(_, front)| *front)
     }

@@ -9,6 +9,7 @@ mod samples;
 mod tile;
 mod triangle;
 
+use origami_core::csr::Csr;
 use rayon::prelude::*;
 
 use crate::camera::View;
@@ -129,8 +130,7 @@ type Bounds = [f64; 4];
 /// What touches each tile, in the order given.
 struct Bins {
     columns: usize,
-    starts: Vec<usize>,
-    items: Vec<u32>,
+    by_tile: Csr<u32>,
 }
 
 impl Bins {
@@ -144,26 +144,13 @@ impl Bins {
             let across = range(left, right, columns);
             range(top, bottom, rows).flat_map(move |row| across.clone().map(move |column| row * columns + column))
         };
-        let mut starts = vec![0; columns * rows + 1];
-        for tile in bounds.clone().flatten().flat_map(touched) {
-            starts[tile + 1] += 1;
-        }
-        for tile in 0..columns * rows {
-            starts[tile + 1] += starts[tile];
-        }
-        let mut items = vec![0; starts[columns * rows]];
-        let mut next = starts.clone();
-        for (item, bounds) in bounds.enumerate() {
-            for tile in bounds.into_iter().flat_map(touched) {
-                items[next[tile]] = item as u32;
-                next[tile] += 1;
-            }
-        }
-        Self { columns, starts, items }
+        let entries = (0_u32..)
+            .zip(bounds)
+            .flat_map(move |(item, bounds)| bounds.into_iter().flat_map(touched).map(move |tile| (tile, item)));
+        Self { columns, by_tile: Csr::from_entries(columns * rows, entries) }
     }
 
     fn of(&self, column: usize, row: usize) -> &[u32] {
-        let tile = row * self.columns + column;
-        &self.items[self.starts[tile]..self.starts[tile + 1]]
+        self.by_tile.row(row * self.columns + column)
     }
 }

@@ -57,12 +57,13 @@ fn bytes<R: Compute>(kernel: &Kernel<R>) -> usize {
     fn of<T>(list: &[T]) -> usize {
         size_of_val(list)
     }
-    let sheet = &kernel.sheet;
-    let (positions, velocities) = (&kernel.positions[..sheet.nodes], &kernel.velocities[..sheet.nodes]);
-    let edges = of(positions) + of(&sheet.hinges) + of(&sheet.stiffness) + of(&kernel.targets) + 3 * of(&kernel.angles);
-    let read = of(positions) + of(velocities) + of(&sheet.corners) + of(&sheet.creases) + of(&kernel.angles);
-    let springs = of(&sheet.beams) + of(&sheet.damping) + of(&sheet.angles);
-    let nodes = of(sheet.slots.starts()) + of(sheet.slots.items()) + 2 * of(positions) + 2 * of(velocities);
+    let layout = &kernel.layout;
+    let (positions, velocities) = (&kernel.positions[..layout.nodes], &kernel.velocities[..layout.nodes]);
+    let edges =
+        of(positions) + of(&layout.hinges) + of(&layout.stiffness) + of(&kernel.targets) + 3 * of(&kernel.angles);
+    let read = of(positions) + of(velocities) + of(&layout.corners) + of(&layout.creases) + of(&kernel.angles);
+    let springs = of(&layout.beams) + of(&layout.damping) + of(&layout.angles);
+    let nodes = of(layout.slots.starts()) + of(layout.slots.items()) + 2 * of(positions) + 2 * of(velocities);
     edges + read + springs + 2 * of(&kernel.slots) + nodes
 }
 

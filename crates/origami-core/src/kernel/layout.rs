@@ -15,7 +15,7 @@ use super::real::{Quad64, Real};
 ///
 /// Elements are filled up to whole chunks with ones on nodes of their own, which form a sound hinge and pull at nothing.
 #[derive(Clone, Debug)]
-pub(super) struct Sheet<R> {
+pub(super) struct Layout<R> {
     pub(super) nodes: usize,
     /// By chunk of creases: apexes one and two, ends one and two.
     pub(super) hinges: Vec<u32>,
@@ -44,7 +44,7 @@ pub(super) struct Sheet<R> {
 /// A hinge and its nodes: ends, then apexes.
 const DUMMY: [[f64; 4]; 4] = [[0.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 0.0]];
 
-impl<R: Real> Sheet<R> {
+impl<R: Real> Layout<R> {
     /// Lays `model` out with `width` elements side by side. Its damping, if it has any, is laid out where the motion is `damped`.
     pub(super) fn new(model: &Model, width: usize, damped: bool) -> Self {
         let nodes = model.node_count();
@@ -68,7 +68,7 @@ impl<R: Real> Sheet<R> {
         let ends = loose.iter().map(|(ends, _)| *ends);
         let beams = loose.iter().map(|(_, beam)| beam.map(R::of));
         let slots = slots(model, width, &loose, &[]);
-        let mut sheet = Self {
+        let mut layout = Self {
             nodes,
             hinges: chunks(width, creases, hinges, no_hinge),
             stiffness,
@@ -83,8 +83,8 @@ impl<R: Real> Sheet<R> {
             k_face: model.material.k_face,
             damped,
         };
-        sheet.take_sides(model, width);
-        sheet
+        layout.take_sides(model, width);
+        layout
     }
 
     /// Fills in the beams, creases and damping on the sides of the triangles.

@@ -59,12 +59,15 @@ fn what_is_public_shows_and_nothing_else() {
         impl Sheet {
             pub fn area(&self) -> f64 { self.radius }
             fn hidden(&self) {}
+            #[doc(hidden)]
+            pub fn hidden_too(&self) {}
         }
         impl Drop for Sheet { fn drop(&mut self) {} }
         pub struct Unnamed;
         pub(crate) fn helper() {}
     ";
-    let shown = outline_of("mod inner;\npub use inner::Sheet;\nfn own() {}", inner);
+    let shown =
+        outline_of("mod inner;\npub use inner::Sheet;\nfn own() {}\n#[doc(hidden)] pub use inner::Unnamed;", inner);
     for part in [
         "#[derive(Clone)]",
         "pub struct Sheet",

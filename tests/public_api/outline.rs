@@ -16,6 +16,8 @@ fn module(source: &Source, path: &[String]) -> Vec<Item> {
     for item in &source.modules[path].items {
         let own = name(item);
         match item {
+            Item::Use(item) if is_hidden(&item.attrs) => {}
+            Item::Mod(item) if is_hidden(&item.attrs) => {}
             Item::Use(item) if is_public_item(&item.vis) => {
                 for import in imports(&item.tree) {
                     named.push((false, import.name.clone(), imported(source, path, &import, &item.attrs)));
@@ -43,6 +45,13 @@ fn module(source: &Source, path: &[String]) -> Vec<Item> {
     }
     named.sort_by(|a, b| (a.0, &a.1).cmp(&(b.0, &b.1)));
     named.into_iter().flat_map(|(_, _, items)| items).collect()
+}
+
+/// Whether something is `#[doc(hidden)]`: public for other crates of the workspace alone, and nobody's to rely on.
+fn is_hidden(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(|own| {
+        own.path().is_ident("doc") && own.meta.require_list().is_ok_and(|list| list.tokens.to_string() == "hidden")
+    })
 }
 
 /// What `pub use` shows: the item itself, unless it can be named where `use` takes it from or is another crate's.
@@ -161,9 +170,10 @@ fn bare_implementation(item: &syn::ItemImpl) -> Option<syn::ItemImpl> {
     let of_trait = item.trait_.is_some();
     item.items.retain_mut(|item| match item {
         ImplItem::Fn(function) => {
+            let shown = !of_trait && is_public_item(&function.vis) && !is_hidden(&function.attrs);
             function.attrs = kept(&function.attrs);
             function.block = parse_quote!({});
-            !of_trait && is_public_item(&function.vis)
+            shown
         }
         ImplItem::Const(item) => {
             (item.attrs, item.expr) = (kept(&item.attrs), parse_quote!(_));

@@ -188,7 +188,7 @@ impl GpuEngine {
         self.engine.gpu.scoped(|| self.engine.write(Binding::CreaseStates, &creases))?;
         (self.from, self.to) = (start.targets, targets);
         self.change(|c| {
-            (c.ramp_step, c.ramp_before, c.ramp_length) = (length.min(1_u32.saturating_sub(c.ramp_waits)), 0, length)
+            (c.ramp_step, c.ramp_before, c.ramp_length) = (length.min(1_u32.saturating_sub(c.ramp_waits)), 0, length);
         });
         self.disturb();
         Ok(())

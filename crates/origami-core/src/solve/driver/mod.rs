@@ -103,7 +103,7 @@ pub struct Folded {
     pub stop: Stop,
     /// Force evaluations, all attempts together.
     pub steps: u64,
-    /// The time step at the end: model time for [`Dynamics`], in units of each node's own step for [`Relax`].
+    /// The time step at the end: model time for [`Dynamics`](super::Dynamics), in units of each node's own step for [`Relax`](super::Relax).
     pub time_step: f64,
     /// Largest force on a node, in the model's unit of force.
     pub residual: f64,

@@ -139,6 +139,22 @@ fn scenes_of_an_ensemble_have_loads_and_supports_of_their_own() {
 }
 
 #[test]
+fn who_is_refused_does_not_take_the_others_along() {
+    let Some(gpu) = gpu() else { return };
+    let model = made("miura");
+    let start = State::perturbed(&model, 1e-2, 3);
+    let falls = Scene::percent(30.0).with_load(Load { node: NodeId(7), force: DVec3::Z });
+    let instances: Vec<Instance<'_>> = [Scene::percent(30.0), falls, Scene::percent(20.0).with_force(Idle)]
+        .into_iter()
+        .map(|scene| Instance { model: &model, start: start.clone(), scene })
+        .collect();
+    let all = gpu.with(Relax::default()).fold_all(&instances, &|_, _| ControlFlow::Continue(()));
+    assert!(all[0].as_ref().is_ok_and(Folded::converged));
+    assert!(matches!(&all[1], Err(Failed::Refused { refusal: Refusal::Unbalanced { .. }, .. })), "{:?}", all[1]);
+    assert!(matches!(&all[2], Err(Failed::Refused { refusal: Refusal::Unsupported { .. }, .. })), "{:?}", all[2]);
+}
+
+#[test]
 fn a_session_takes_scenes_with_more_in_them() {
     let Some(gpu) = gpu() else { return };
     let model = made("miura");

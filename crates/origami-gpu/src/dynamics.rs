@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use origami_core::scene::Held;
+use origami_core::scene::{Held, Refusal};
 use origami_core::solve::{Dynamics, Failed, Folded, Instance, Integrator, Progress, TimeStep, time_step};
 
 use crate::engine::Engine;
@@ -27,10 +27,7 @@ pub(crate) fn run(
 ) -> Vec<Result<Folded, Failed>> {
     let mut targets = Vec::with_capacity(instances.len());
     for instance in instances {
-        // Whoever asks for so many steps may watch a sheet fall.
-        let falls = dynamics.steps.is_some();
-        let balanced = || if falls { Ok(()) } else { instance.scene.check_balance(instance.model) };
-        match balanced().and_then(|()| checked(instance)) {
+        match self::targets(dynamics, instance) {
             Ok(own) => targets.push(own),
             Err(refusal) => return refused(instances, &refusal),
         }
@@ -48,6 +45,15 @@ pub(crate) fn run(
         folded(instance, held, targets, dynamics.steps.is_some(), ending, scheme)
     };
     instances.iter().zip(targets).zip(&endings).map(came_to).collect()
+}
+
+/// What is asked of the creases of an instance, where this can run it. Whoever asks for so many steps may watch a sheet fall.
+pub(crate) fn targets(dynamics: &Dynamics, instance: &Instance<'_>) -> Result<Vec<f64>, Refusal> {
+    let targets = checked(instance)?;
+    if dynamics.steps.is_none() {
+        instance.scene.check_balance(instance.model)?;
+    }
+    Ok(targets)
 }
 
 /// Where an instance begins.

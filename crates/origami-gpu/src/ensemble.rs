@@ -34,8 +34,16 @@ fn in_runs(
     observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
     most: impl Fn(&SheetArrays) -> usize,
 ) -> Vec<Result<Folded, Failed>> {
-    let mut results: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
-    for group in groups(instances) {
+    let refused = |instance: &Instance<'_>| {
+        method.check(instance).err().map(|refusal| Err(Failed::refused(refusal, &instance.start)))
+    };
+    let mut results: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(refused).collect();
+    for mut group in groups(instances) {
+        // Who is refused does not take the others along.
+        group.retain(|i| results[*i].is_none());
+        if group.is_empty() {
+            continue;
+        }
         let models = different(group.iter().map(|i| instances[*i].model));
         let outside = Outside::of(group.iter().map(|i| &instances[*i].scene));
         let arrays = SheetArrays::with_outside(models[0], &outside);

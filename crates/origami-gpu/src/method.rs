@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use origami_core::model::Model;
+use origami_core::scene::Refusal;
 use origami_core::solve::{Dynamics, Failed, Folded, Instance, Progress, Relax, Solver, State};
 
 use crate::engine::Engine;
@@ -77,6 +78,15 @@ impl Method<'_> {
                 dynamics::purpose(method, models.any(|model| model.material.zeta > 0.0), dispatch)
             }
         }
+    }
+
+    /// Whether this can run an instance to its end.
+    pub(crate) fn check(self, instance: &Instance<'_>) -> Result<(), Refusal> {
+        match self {
+            Self::Relax(_) => relax::targets(instance),
+            Self::Dynamics(method) => dynamics::targets(method, instance),
+        }
+        .map(|_| ())
     }
 
     /// Where an instance begins, on the way to `targets`.

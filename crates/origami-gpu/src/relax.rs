@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use origami_core::scene::Held;
+use origami_core::scene::{Held, Refusal};
 use origami_core::solve::relax::{Attempt, lower};
 use origami_core::solve::{Failed, Folded, Instance, Progress, Relax, Stop};
 
@@ -28,8 +28,7 @@ pub(crate) fn run(
 ) -> Vec<Result<Folded, Failed>> {
     let mut targets = Vec::with_capacity(instances.len());
     for instance in instances {
-        let balanced = || instance.scene.check_balance(instance.model);
-        match balanced().and_then(|()| checked(instance)) {
+        match self::targets(instance) {
             Ok(own) => targets.push(own),
             Err(refusal) => return refused(instances, &refusal),
         }
@@ -82,6 +81,13 @@ pub(crate) fn run(
         active = next;
     }
     best_so_far.into_iter().flatten().collect()
+}
+
+/// What is asked of the creases of an instance, where this can run it.
+pub(crate) fn targets(instance: &Instance<'_>) -> Result<Vec<f64>, Refusal> {
+    let targets = checked(instance)?;
+    instance.scene.check_balance(instance.model)?;
+    Ok(targets)
 }
 
 /// Where an attempt begins.

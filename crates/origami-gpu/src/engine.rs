@@ -309,7 +309,6 @@ fn buffers(gpu: &Gpu, arrays: &SheetArrays, variant: &Variant, instances: usize)
     Ok(buffers)
 }
 
-/// Nodes can also be the vertices of somebody's drawing.
 /// How many instances of a sheet fit into the adapter's buffers.
 pub(crate) fn most_instances(gpu: &Gpu, arrays: &SheetArrays, scheme: Scheme) -> usize {
     // Buffers are as large with one material as with many.

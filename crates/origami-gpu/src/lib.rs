@@ -32,6 +32,8 @@
 //! - [`adapters`] lists what there is; [`AdapterChoice`] says which one to take, [`AUTO_NODES`] from which size a GPU is taken
 //!   where none was asked for.
 //! - [`OnGpu`] is the solver, [`OnModel`] the same with one model's buffers kept, for more than one fold.
+//! - [`GpuEngine`] is what an [`origami_core::Simulation`] of `gpu.with(..)` runs on; [`Gpu::from_device`] shares a device of the
+//!   caller's, who can read the positions where they lie ([`PositionsBuffer`]).
 //! - [`PaperDynamics`] is the paper's own five passes, the readable baseline.
 //! - [`Traffic`] counts the bytes that a step moves.
 //! - [`GpuError`] says what the adapter lacks or refused.

@@ -133,8 +133,7 @@ impl Solver for Relax {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
         self.check(model, scene).map_err(|refusal| Failed::refused(refusal, start))?;
-        let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
-        let run = Run { relax: self, model, start, scene, targets: &targets };
+        let run = Run { relax: self, model, start, scene };
         share(count(model, self.threads), observe, |threads, observe| match self.precision {
             Precision::F64 => run.attempts::<f64>(threads, observe),
             Precision::Mixed => run.attempts::<f32>(threads, observe),
@@ -262,17 +261,21 @@ struct Run<'a> {
     model: &'a Model,
     start: &'a State,
     scene: &'a Scene,
-    targets: &'a [f64],
 }
 
 impl Run<'_> {
+    /// Found anew for each attempt: of a large sheet they need much memory.
+    fn targets(&self) -> Result<Vec<f64>, Failed> {
+        self.scene.targets.of(self.model).map_err(|refusal| Failed::refused(refusal, self.start))
+    }
+
     fn attempts<R: Compute>(
         &self,
         threads: usize,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
-        let Self { relax, model, start, scene, targets } = *self;
-        let mut attempt = relax.first_attempt(model, start, targets);
+        let Self { relax, model, start, scene } = *self;
+        let mut attempt = relax.first_attempt(model, start, &self.targets()?);
         let mut kept = self.attempt::<R>(attempt, threads, observe)?;
         while let Some(next) = relax.next_attempt(model, start, attempt, &kept) {
             attempt = next;
@@ -296,9 +299,10 @@ impl Run<'_> {
         threads: usize,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
-        let Self { relax, model, start, scene, targets } = *self;
-        let positions = relax.first_positions(model, start, scene, targets);
-        let mut stepper = relax.stepper::<R>((model, start), positions, (scene, targets.to_vec(), ramp), threads);
+        let Self { relax, model, start, scene } = *self;
+        let targets = self.targets()?;
+        let positions = relax.first_positions(model, start, scene, &targets);
+        let mut stepper = relax.stepper::<R>((model, start), positions, (scene, targets, ramp), threads);
         let limit = Limit { steps: limit, all: relax.steps.is_some() };
         let stop = stepper.run((model, start), limit, observe)?;
         Ok(stepper.into_folded(model, scene, scene.targets.clone(), stop))

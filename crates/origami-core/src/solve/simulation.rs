@@ -124,8 +124,9 @@ impl<M: Method> Simulation<M> {
     /// [`Failed::Refused`] where the targets do not fit the model, [`Failed::Backend`] where what computes gives up.
     pub fn set_targets(&mut self, targets: Targets) -> Result<(), Failed> {
         let angles = targets.of(&self.model).map_err(|refusal| self.refused(refusal))?;
+        self.engine.set_targets(angles)?;
         self.targets = targets;
-        self.engine.set_targets(angles)
+        Ok(())
     }
 
     /// Holds a node where it is, in every direction.
@@ -138,8 +139,8 @@ impl<M: Method> Simulation<M> {
             .check(&self.model)
             .map_err(|refusal| self.refused(refusal))?;
         if !self.pins.contains(&node) {
-            self.pins.push(node);
-            self.hold()?;
+            let pins = self.pins.iter().copied().chain([node]).collect();
+            self.hold(pins, self.loads.clone())?;
         }
         Ok(Pin(node))
     }
@@ -163,8 +164,8 @@ impl<M: Method> Simulation<M> {
     /// # Errors
     /// [`Failed::Backend`] where what computes gives up.
     pub fn unpin(&mut self, pin: Pin) -> Result<(), Failed> {
-        self.pins.retain(|node| *node != pin.0);
-        self.hold()
+        let pins = self.pins.iter().copied().filter(|node| *node != pin.0).collect();
+        self.hold(pins, self.loads.clone())
     }
 
     /// Takes other dead loads.
@@ -175,8 +176,7 @@ impl<M: Method> Simulation<M> {
     pub fn set_loads(&mut self, loads: Vec<Load>) -> Result<(), Failed> {
         let scene = Scene { loads, ..Scene::default() };
         scene.check(&self.model).map_err(|refusal| self.refused(refusal))?;
-        self.loads = scene.loads;
-        self.hold()
+        self.hold(self.pins.clone(), scene.loads)
     }
 
     /// Takes so many steps, settled or not.
@@ -242,10 +242,13 @@ impl<M: Method> Simulation<M> {
         self.engine.finish(self.targets)
     }
 
-    fn hold(&mut self) -> Result<(), Failed> {
+    /// Takes other pins and loads, once the engine has.
+    fn hold(&mut self, pins: Vec<NodeId>, loads: Vec<Load>) -> Result<(), Failed> {
         let mut held = self.supports.clone();
-        self.pins.iter().for_each(|node| held.hold(*node, Axes::ALL));
-        self.engine.set_surroundings(held, self.loads.clone())
+        pins.iter().for_each(|node| held.hold(*node, Axes::ALL));
+        self.engine.set_surroundings(held, loads.clone())?;
+        (self.pins, self.loads) = (pins, loads);
+        Ok(())
     }
 
     fn refused(&self, refusal: Refusal) -> Failed {

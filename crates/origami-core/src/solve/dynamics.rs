@@ -16,7 +16,7 @@ use crate::scene::{Needs, Refusal, Scene};
 /// The paper's scheme, for fidelity and transients. It converges slowly: its damping hardly touches slow global motion.
 /// For the folded state take [`super::Relax`].
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Dynamics {
     /// Length of a step. Default: the paper's.
     pub time_step: TimeStep,

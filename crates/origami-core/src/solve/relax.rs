@@ -30,7 +30,7 @@ const SHORTEST_RAMP: u32 = 100;
 /// A state that ends tangled is folded once more over a longer ramp, then in a jump, and the one of lowest energy is
 /// kept. Nothing promises that it is the only equilibrium: folding is path dependent.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Relax {
     /// Distance from the equilibrium at which it stops, in radii of the sheet. Smaller: more evaluations.
     /// Default 1e-4.

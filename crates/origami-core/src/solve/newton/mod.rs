@@ -36,7 +36,7 @@ const ESCAPES: u32 = 8;
 /// lowest mode. Memory and time grow faster than the sheet. By default it begins where [`Relax`] ends, and so finds the
 /// equilibrium on the branch that a ramp leads to.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Newton {
     /// Largest force on a node at which it stops, in the model's unit of force; where stiffnesses are so large that
     /// rounding leaves more, that. Default 1e-10.

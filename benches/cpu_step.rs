@@ -3,7 +3,7 @@
 //!
 //! Measured: [`Dynamics`] (springs, damping, Euler) and [`Relax`] (springs, the sums and moves of FIRE, its masses every 50
 //! steps), in f64 and mixed, with what the processor's best instructions are; and, for comparison in the same run, two scalar
-//! steps: `printed`, the paper's formulas as they stand there, each beam, crease and corner angle by itself with an arcus
+//! steps: `printed`, the paper's formulas as they stand there, each beam, crease and corner angle by itself with an arc
 //! tangent for every angle; and `plain`, those of [`origami::forces`], which share what they can and keep to short series. What is named after a number of threads is shared
 //! out among them, as far as that is faster: `RAYON_NUM_THREADS` sets their number. Criterion's `elem/s` are nodes times
 //! steps per second; 1 / that is the time per node and step. The group `build` measures what comes before the first step,

@@ -1,4 +1,4 @@
-//! The step with the formulas as the paper prints them: each beam, each crease and each corner angle by itself, an arcus
+//! The step with the formulas as the paper prints them: each beam, each crease and each corner angle by itself, an arc
 //! tangent for every angle, in one thread and one number at a time. What a first program does, and a second opinion on ours.
 
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! A build without the feature `gpu`.
 
-use super::{Method, Place};
+use super::{Computer, Method};
 use crate::args::BackendName;
 use crate::report::AdapterDetails;
 
@@ -25,8 +25,8 @@ impl Backend {
     }
 
     /// The processor, whatever the size.
-    pub(crate) fn place(&self, method: &Method, _nodes: usize) -> Place {
-        Place::processor(method)
+    pub(crate) fn choose(&self, method: &Method, _nodes: usize) -> Computer {
+        Computer::processor(method)
     }
 
     /// No GPU.

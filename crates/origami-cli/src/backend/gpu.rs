@@ -11,7 +11,7 @@ use origami::gpu::{self, AUTO_NODES, AdapterChoice, AdapterSummary, Gpu, GpuErro
 use origami::picture::Renderer;
 use origami::solve::Solver;
 
-use super::{Method, Place};
+use super::{Computer, Method};
 use crate::args::BackendName;
 use crate::report::{Adapter, AdapterDetails};
 
@@ -40,14 +40,14 @@ impl Backend {
     }
 
     /// Where a sheet of so many nodes is folded.
-    pub(crate) fn place(&self, method: &Method, nodes: usize) -> Place {
+    pub(crate) fn choose(&self, method: &Method, nodes: usize) -> Computer {
         let worth_it = match self.wanted {
             BackendName::Cpu => false,
             BackendName::Gpu => true,
             BackendName::Auto => nodes >= AUTO_NODES,
         };
         if !worth_it {
-            return Place::processor(method);
+            return Computer::processor(method);
         }
         match self.open() {
             Ok(gpu) if self.wanted == BackendName::Gpu || gpu.adapter().kind.is_hardware() => on_gpu(gpu, method),
@@ -86,23 +86,23 @@ impl Backend {
     }
 
     /// The processor, which is a surprise only to those who have named an adapter.
-    fn passed_over(&self, method: &Method, why: &str) -> Place {
+    fn passed_over(&self, method: &Method, why: &str) -> Computer {
         let warning = self
             .named
             .as_ref()
             .map(|_| Warning::new(WarningCode::Fallback, "--backend auto", format!("the processor, since {why}")));
-        Place { warning, ..Place::processor(method) }
+        Computer { warning, ..Computer::processor(method) }
     }
 }
 
-fn on_gpu(gpu: &Gpu, method: &Method) -> Place {
+fn on_gpu(gpu: &Gpu, method: &Method) -> Computer {
     let solver: Box<dyn Solver> = match method {
         Method::Relax(relax) => Box::new(gpu.with(relax.clone())),
         Method::Dynamics(dynamics) => Box::new(gpu.with(dynamics.clone())),
         #[cfg(feature = "newton")]
-        Method::Newton(_) => return Place::processor(method),
+        Method::Newton(_) => return Computer::processor(method),
     };
-    Place { solver, adapter: Some(Adapter::from(gpu.adapter())), warning: None }
+    Computer { solver, adapter: Some(Adapter::from(gpu.adapter())), warning: None }
 }
 
 impl From<&AdapterSummary> for Adapter {

@@ -38,7 +38,7 @@ impl Method {
 }
 
 /// Where one sheet is folded.
-pub(crate) struct Place {
+pub(crate) struct Computer {
     /// The solver there.
     pub(crate) solver: Box<dyn Solver>,
     /// The GPU; `None` is the processor.
@@ -47,7 +47,7 @@ pub(crate) struct Place {
     pub(crate) warning: Option<Warning>,
 }
 
-impl Place {
+impl Computer {
     fn processor(method: &Method) -> Self {
         Self { solver: method.solver(), adapter: None, warning: None }
     }

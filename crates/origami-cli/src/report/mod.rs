@@ -9,7 +9,7 @@ mod sweep;
 pub(crate) use adapter::{Adapter, AdapterDetails};
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use note::Note;
-pub(crate) use scene::Scene;
+pub(crate) use scene::SceneFacts;
 pub(crate) use sweep::{Row, Table, Varied, write_csv, write_json};
 
 use origami::solve::{Diverged, Quantity};
@@ -43,7 +43,7 @@ pub(crate) struct Run {
     pub(crate) adapter: Option<Adapter>,
     /// What was built.
     #[serde(flatten)]
-    pub(crate) scene: Scene,
+    pub(crate) scene: SceneFacts,
     /// `f64` or `mixed` on the processor, `f32` on a GPU.
     pub(crate) precision: &'static str,
     /// Distance from the equilibrium at which to stop, in radii.

@@ -9,7 +9,7 @@ use super::Note;
 
 /// The sheet and its springs.
 #[derive(Debug, Serialize)]
-pub(crate) struct Scene {
+pub(crate) struct SceneFacts {
     /// Vertices that are part of the sheet.
     pub(crate) vertices: usize,
     /// Bars.
@@ -49,7 +49,7 @@ impl From<&origami::model::LeftOut> for LeftOut {
     }
 }
 
-impl Scene {
+impl SceneFacts {
     /// That of a model, whose `inventory` may have what a solver adds.
     pub(crate) fn new(pattern: &CreasePattern, model: &Model, inventory: &Inventory, warnings: &[Warning]) -> Self {
         let built = inventory.built.iter().map(|b| Built { what: b.what, count: b.count });

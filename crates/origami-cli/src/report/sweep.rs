@@ -8,7 +8,7 @@ use origami::solve::Point;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::{Adapter, Divergence, Measured, Scene, Seconds};
+use super::{Adapter, Divergence, Measured, SceneFacts, Seconds};
 
 /// All of sweep.json.
 #[derive(Debug, Serialize)]
@@ -26,7 +26,7 @@ pub(crate) struct Table {
     /// Distance from the equilibrium at which to stop, in radii.
     pub(crate) tolerance: f64,
     /// What was built: materials differ in what they need.
-    pub(crate) scenes: Vec<Scene>,
+    pub(crate) scenes: Vec<SceneFacts>,
     /// In the order in which they vary.
     pub(crate) instances: Vec<Row>,
     /// How long each part took.

@@ -13,7 +13,7 @@ const MAX_VERTICES: usize = 1 << 24;
 
 /// A sheet in the making.
 #[derive(Default)]
-pub(super) struct Sheet {
+pub(super) struct SheetBuilder {
     vertices: Vec<DVec3>,
     faces: Vec<Vec<VertexId>>,
     edges: Vec<PatternEdge>,
@@ -23,7 +23,7 @@ pub(super) struct Sheet {
     between: HashMap<[VertexId; 2], usize>,
 }
 
-impl Sheet {
+impl SheetBuilder {
     /// Adds a vertex at rest at `position`.
     pub(super) fn vertex(&mut self, position: DVec3) -> VertexId {
         let id = VertexId::new(self.vertices.len());

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::builder::{Sheet, at_least, between, positive, room};
+use super::builder::{SheetBuilder, at_least, between, positive, room};
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
@@ -49,9 +49,9 @@ impl CurvedPleat {
         at_least("segments", self.segments, if closed { 3 } else { 1 + (self.sweep / PI) as usize })?;
         room("creases, segments", [self.creases, self.segments], 1)?;
 
-        let mut sheet = Sheet::default();
+        let mut sheet = SheetBuilder::default();
         let points = if closed { self.segments } else { self.segments + 1 };
-        let arc = |sheet: &mut Sheet, k: usize| -> Vec<VertexId> {
+        let arc = |sheet: &mut SheetBuilder, k: usize| -> Vec<VertexId> {
             let radius = self.inner + self.width * k as f64;
             let azimuth = |i: usize| self.sweep * i as f64 / self.segments as f64;
             (0..points).map(|i| sheet.at(radius * azimuth(i).cos(), radius * azimuth(i).sin())).collect()

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::builder::{Sheet, between, positive, within};
+use super::builder::{SheetBuilder, between, positive, within};
 use crate::error::Error;
 use crate::pattern::CreasePattern;
 use crate::rigid::{Degree4Mode, degree4};
@@ -43,7 +43,7 @@ impl Degree4 {
         between("b", self.b, 0.0, PI)?;
         within("angle", self.angle, -PI, PI)?;
         positive("radius", self.radius)?;
-        let mut sheet = Sheet::default();
+        let mut sheet = SheetBuilder::default();
         let middle = sheet.at(0.0, 0.0);
         let ends = [0.0, self.a, self.a + self.b, PI + self.b].map(|azimuth| {
             let (sin, cos) = azimuth.sin_cos();

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::builder::{Sheet, at_least, positive, room, within};
+use super::builder::{SheetBuilder, at_least, positive, room, within};
 use crate::error::Error;
 use crate::pattern::CreasePattern;
 
@@ -37,7 +37,7 @@ impl Fan {
         positive("radius", self.radius)?;
         within("angle", self.angle, -PI, PI)?;
         room("valence", [self.valence, 0], 1)?;
-        let mut sheet = Sheet::default();
+        let mut sheet = SheetBuilder::default();
         let hub = sheet.at(0.0, 0.0);
         let rim: Vec<_> = (0..self.valence)
             .map(|k| {

@@ -4,7 +4,7 @@ use std::collections::{HashMap, VecDeque};
 
 use glam::{DAffine2, DMat2, DVec2};
 
-use super::builder::Sheet;
+use super::builder::SheetBuilder;
 use crate::pattern::CreasePattern;
 
 /// Nearer to a line than this is on it; the sheet has size 1.
@@ -201,7 +201,7 @@ impl FlatFold {
 
     /// The crease pattern, turned and scaled by `to_sheet`.
     pub(super) fn pattern(&self, to_sheet: DAffine2) -> CreasePattern {
-        let mut sheet = Sheet::default();
+        let mut sheet = SheetBuilder::default();
         let vertices: Vec<_> = self
             .points
             .iter()

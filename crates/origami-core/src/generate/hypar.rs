@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::builder::{Sheet, at_least, between, positive, room};
+use super::builder::{SheetBuilder, at_least, between, positive, room};
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
@@ -40,7 +40,7 @@ impl Hypar {
         between("angle", self.angle, 0.0, PI.next_up())?;
         room("rings", [self.rings, 2], 1)?;
 
-        let mut sheet = Sheet::default();
+        let mut sheet = SheetBuilder::default();
         let middle = sheet.at(0.0, 0.0);
         let mut inner = [middle; 4];
         for k in 1..=self.rings {
@@ -60,7 +60,7 @@ impl Hypar {
     }
 
     /// A trapezoid, or, in the middle, a triangle.
-    fn facet(&self, sheet: &mut Sheet, [a, b, c, d]: [VertexId; 4]) {
+    fn facet(&self, sheet: &mut SheetBuilder, [a, b, c, d]: [VertexId; 4]) {
         sheet.face(&[a, b, c]);
         if c != d {
             sheet.face(&[a, c, d]);

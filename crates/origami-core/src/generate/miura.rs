@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::builder::{Sheet, at_least, between, positive, room};
+use super::builder::{SheetBuilder, at_least, between, positive, room};
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
@@ -55,7 +55,7 @@ impl Miura {
         between("theta", self.theta, 0.0, FRAC_PI_2.next_up())?;
         room("columns, rows", [self.columns, self.rows], 1)?;
 
-        let mut sheet = Sheet::default();
+        let mut sheet = SheetBuilder::default();
         let folded = self.folded();
         let flat = MiuraFold { theta: 0.0, ..folded };
         let grid: Vec<Vec<VertexId>> =

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::builder::Sheet;
+use super::builder::SheetBuilder;
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
 
@@ -44,8 +44,8 @@ impl<Rising: Fn(usize) -> bool> Lattice<Rising> {
         around: usize,
         rest: impl Fn(usize, usize) -> DVec3,
         space: impl Fn(usize, usize) -> DVec3,
-    ) -> (Sheet, Vec<DVec3>) {
-        let mut sheet = Sheet::default();
+    ) -> (SheetBuilder, Vec<DVec3>) {
+        let mut sheet = SheetBuilder::default();
         let places = || (0..=self.rows).flat_map(|j| (0..around).map(move |i| (i, j)));
         let vertices: Vec<VertexId> = places().map(|(i, j)| sheet.vertex(rest(i, j))).collect();
         let folded = places().map(|(i, j)| space(i, j)).collect();

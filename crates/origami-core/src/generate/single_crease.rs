@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::builder::{Sheet, positive, within};
+use super::builder::{SheetBuilder, positive, within};
 use crate::error::Error;
 use crate::pattern::CreasePattern;
 
@@ -32,7 +32,7 @@ impl SingleCrease {
         positive("length", self.length)?;
         positive("height", self.height)?;
         within("angle", self.angle, -PI, PI)?;
-        let mut sheet = Sheet::default();
+        let mut sheet = SheetBuilder::default();
         let left = sheet.at(-self.height, 0.0);
         let right = sheet.at(self.height, 0.0);
         let low = sheet.at(0.0, -self.length / 2.0);

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec2;
 
-use super::builder::{Sheet, at_least, between, positive, room};
+use super::builder::{SheetBuilder, at_least, between, positive, room};
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
@@ -54,7 +54,7 @@ impl SquareTwist {
                 format!("more than {}, what the twisted square takes", 2.0 * reach),
             ));
         }
-        let mut grid = Grid { twist: self, sheet: Sheet::default(), corners: Vec::new() };
+        let mut grid = Grid { twist: self, sheet: SheetBuilder::default(), corners: Vec::new() };
         grid.place();
         grid.join();
         Ok(grid.sheet.finish())
@@ -77,7 +77,7 @@ impl SquareTwist {
 /// The corners of all twists, and around them a frame of cells whose corners lie on the border.
 struct Grid<'a> {
     twist: &'a SquareTwist,
-    sheet: Sheet,
+    sheet: SheetBuilder,
     /// Per cell, row after row, frame included: the corners left and right of the bottom, then of the top.
     corners: Vec<[VertexId; 4]>,
 }

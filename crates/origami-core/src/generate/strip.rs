@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::builder::{Sheet, at_least, positive, room, within};
+use super::builder::{SheetBuilder, at_least, positive, room, within};
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
@@ -37,7 +37,7 @@ impl Strip {
         positive("width", self.width)?;
         within("angle", self.angle, -PI, PI)?;
         room("panels", [self.panels, 0], 1)?;
-        let mut sheet = Sheet::default();
+        let mut sheet = SheetBuilder::default();
         let lines: Vec<[VertexId; 2]> =
             (0..=self.panels).map(|k| [0.0, self.width].map(|y| sheet.at(self.length * k as f64, y))).collect();
         for (k, pair) in lines.windows(2).enumerate() {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::builder::{Sheet, at_least, between, positive, room};
+use super::builder::{SheetBuilder, at_least, between, positive, room};
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
@@ -39,9 +39,9 @@ impl Waterbomb {
         between("angle", self.angle, 0.0, PI.next_up())?;
         room("columns, rows", [self.columns, self.rows], 4)?;
 
-        let mut sheet = Sheet::default();
+        let mut sheet = SheetBuilder::default();
         let (half, last) = (self.size / 2.0, 2 * self.columns);
-        let line = |sheet: &mut Sheet, j: usize| -> Vec<VertexId> {
+        let line = |sheet: &mut SheetBuilder, j: usize| -> Vec<VertexId> {
             (0..=last).map(|i| sheet.at(half * i as f64, self.size * j as f64)).collect()
         };
         let mut low = line(&mut sheet, 0);
@@ -66,7 +66,7 @@ impl Waterbomb {
     }
 
     /// Three triangles around `middle`, between the ends `a` and `d` of the midline and the corners `b` and `c`.
-    fn half_square(&self, sheet: &mut Sheet, middle: VertexId, [a, b, c, d]: [VertexId; 4]) {
+    fn half_square(&self, sheet: &mut SheetBuilder, middle: VertexId, [a, b, c, d]: [VertexId; 4]) {
         for (from, to) in [(a, b), (b, c), (c, d)] {
             sheet.face(&[middle, from, to]);
         }

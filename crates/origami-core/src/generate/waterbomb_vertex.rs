@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::builder::{Sheet, at_least, between, positive, room};
+use super::builder::{SheetBuilder, at_least, between, positive, room};
 use crate::error::Error;
 use crate::pattern::CreasePattern;
 use crate::rigid::{waterbomb_folds, waterbomb_polar};
@@ -38,7 +38,7 @@ impl WaterbombVertex {
         room("n", [self.n, 0], 1)?;
         let mountains = waterbomb_polar(self.n, self.polar, false);
         let folds = waterbomb_folds(self.n, self.polar, mountains);
-        let mut sheet = Sheet::default();
+        let mut sheet = SheetBuilder::default();
         let middle = sheet.at(0.0, 0.0);
         let ends: Vec<_> = (0..2 * self.n)
             .map(|k| {

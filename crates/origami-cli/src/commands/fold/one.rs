@@ -12,7 +12,7 @@ use super::summary::{self, Told};
 use crate::draw::{self, Artist, Subject};
 use crate::exit::Exit;
 use crate::files::{self, Destination, Format, Input, Sheet, Target};
-use crate::report::{Divergence, Ending, Measured, Note, Report, Run, Scene, Seconds};
+use crate::report::{Divergence, Ending, Measured, Note, Report, Run, SceneFacts, Seconds};
 use crate::settings::{Settings, scene_warnings};
 use crate::stopwatch::Stopwatch;
 
@@ -69,23 +69,23 @@ fn attempt(
     let model = Model::new(&pattern, &settings.material)?;
     seconds.build = watch.lap();
 
-    let place = settings.backend.place(&settings.method, model.node_count());
+    let computer = settings.backend.choose(&settings.method, model.node_count());
     let mut warnings =
-        scene_warnings(&model, &settings.percents, place.adapter.is_some().then_some(settings.tolerance));
-    told.warnings.extend(warnings.iter().cloned().chain(place.warning));
+        scene_warnings(&model, &settings.percents, computer.adapter.is_some().then_some(settings.tolerance));
+    told.warnings.extend(warnings.iter().cloned().chain(computer.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
-    let scene = Scene::new(&pattern, &model, &place.solver.inventory(&model), &warnings);
-    let solved = fold_path(&model, place.solver.as_ref(), &settings.percents, &mut |stage, progress| {
+    let scene = SceneFacts::new(&pattern, &model, &computer.solver.inventory(&model), &warnings);
+    let solved = fold_path(&model, computer.solver.as_ref(), &settings.percents, &mut |stage, progress| {
         observe(Seen::Stage(stage, progress));
         ControlFlow::Continue(())
     });
     seconds.solve = watch.lap();
-    let on_gpu = place.adapter.is_some();
+    let on_gpu = computer.adapter.is_some();
     let mut run = Run {
         input: input.to_string(),
         solver: settings.solver_name.name(),
         backend: if on_gpu { "gpu" } else { "cpu" },
-        adapter: place.adapter,
+        adapter: computer.adapter,
         precision: settings.precisions[usize::from(on_gpu)],
         scene,
         tolerance: settings.tolerance,

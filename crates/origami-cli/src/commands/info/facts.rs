@@ -12,7 +12,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::files::Input;
-use crate::report::{Note, Scene};
+use crate::report::{Note, SceneFacts};
 use crate::settings::scene_warnings;
 
 /// All of it; parts that could not be reached are absent.
@@ -62,7 +62,7 @@ pub(super) struct Pattern {
 #[derive(Debug, Serialize)]
 pub(super) struct ModelFacts {
     #[serde(flatten)]
-    pub(super) scene: Scene,
+    pub(super) scene: SceneFacts,
     pub(super) time_step: TimeSteps,
 }
 
@@ -98,7 +98,8 @@ impl Facts {
             paper: time_step::paper(&model),
             safe: time_step::safe(&model, &model.rest, Integrator::Euler),
         };
-        self.model = Some(ModelFacts { scene: Scene::new(&pattern, &model, &model.inventory, &[]), time_step: steps });
+        self.model =
+            Some(ModelFacts { scene: SceneFacts::new(&pattern, &model, &model.inventory, &[]), time_step: steps });
         Ok(())
     }
 }

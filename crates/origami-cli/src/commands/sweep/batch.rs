@@ -13,7 +13,7 @@ use super::shares::Shares;
 use crate::draw::Artist;
 use crate::files::{self, Destination, Sheet, Target};
 use crate::progress::ProgressLine;
-use crate::report::{Divergence, Ending, Measured, Row, Scene, Seconds, Varied};
+use crate::report::{Divergence, Ending, Measured, Row, SceneFacts, Seconds, Varied};
 use crate::settings::scene_warnings;
 use crate::stopwatch::Stopwatch;
 
@@ -36,7 +36,7 @@ pub(super) struct Work<'a> {
 #[derive(Default)]
 pub(super) struct Done {
     pub(super) rows: Vec<Row>,
-    pub(super) scenes: Vec<Scene>,
+    pub(super) scenes: Vec<SceneFacts>,
     /// The message of the first sheet that diverged.
     pub(super) first_divergence: Option<String>,
     /// What is dangerous about them, each once.
@@ -103,7 +103,7 @@ impl Work<'_> {
         seen.unwrap_or_else(|| {
             let of_scene = scene_warnings(model, &self.sweep.percents, self.on_gpu);
             let warnings: Vec<Warning> = self.pattern.warnings.iter().chain(&of_scene).cloned().collect();
-            done.scenes.push(Scene::new(self.pattern, model, &inventory, &warnings));
+            done.scenes.push(SceneFacts::new(self.pattern, model, &inventory, &warnings));
             of_scene.into_iter().for_each(|warning| {
                 if !done.scene_warnings.contains(&warning) {
                     done.scene_warnings.push(warning);

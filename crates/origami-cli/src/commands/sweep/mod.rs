@@ -47,9 +47,9 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let template = Template::new(&document, frame, &pattern).map_err(told)?;
     drop(document);
     // A GPU is filled by all sheets together.
-    let place = backend.place(&method, pattern.vertices.len().saturating_mul(count));
+    let computer = backend.choose(&method, pattern.vertices.len().saturating_mul(count));
     if !args.quiet {
-        pattern.warnings.iter().chain(&place.warning).for_each(console::warning);
+        pattern.warnings.iter().chain(&computer.warning).for_each(console::warning);
     }
     seconds.build = watch.lap();
 
@@ -58,10 +58,10 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         template: &template,
         pattern: &pattern,
         sweep: &sweep,
-        solver: place.solver.as_ref(),
+        solver: computer.solver.as_ref(),
         folder: &folder,
         line: &line,
-        on_gpu: place.adapter.is_some().then_some(args.solving.tolerance),
+        on_gpu: computer.adapter.is_some().then_some(args.solving.tolerance),
     };
     let threads = args.threads.map_or(0, usize::from);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
@@ -77,9 +77,9 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let mut table = Table {
         input: input.to_string(),
         solver: args.solving.solver.name(),
-        backend: if place.adapter.is_some() { "gpu" } else { "cpu" },
-        precision: args.solving.precision_name(place.adapter.is_some()),
-        adapter: place.adapter,
+        backend: if computer.adapter.is_some() { "gpu" } else { "cpu" },
+        precision: args.solving.precision_name(computer.adapter.is_some()),
+        adapter: computer.adapter,
         tolerance: args.solving.tolerance,
         scenes: done.scenes,
         instances: done.rows,

@@ -5,14 +5,14 @@ use std::io::Write as _;
 use std::time::Instant;
 
 use super::counting::{Counts, count};
-use super::{Compute, Isa, Kernel, Material, Model, Scene};
+use super::{Case, Compute, Isa, Kernel, Material, Model};
 use crate::kernel::isa::Pass;
 use crate::kernel::lane::{GatherScatter, Num};
 use crate::kernel::real::Quad64;
 
-fn miura(panels: usize, material: &Material) -> Scene {
+fn miura(panels: usize, material: &Material) -> Case {
     let pattern = crate::generate::miura(panels, panels).expect("valid");
-    Scene::new(Model::new(&pattern, material).expect("valid"), 1, 1e-4)
+    Case::new(Model::new(&pattern, material).expect("valid"), 1, 1e-4)
 }
 
 fn step<R: Compute>(kernel: &mut Kernel<R>, damped: bool) {
@@ -21,7 +21,7 @@ fn step<R: Compute>(kernel: &mut Kernel<R>, damped: bool) {
     kernel.euler(1e-9);
 }
 
-fn counts<R: Compute>(scene: &Scene, damped: bool) -> Counts {
+fn counts<R: Compute>(scene: &Case, damped: bool) -> Counts {
     let mut kernel = scene.kernel::<R>(Isa::Counting);
     count(|| step(&mut kernel, damped))
 }

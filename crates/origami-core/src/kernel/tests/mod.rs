@@ -15,7 +15,7 @@ use crate::generate::catalog;
 use crate::ids::VertexId;
 use crate::model::{Material, Model};
 use crate::pattern::{Assignment, PatternEdge};
-use crate::scene::{Held, Scene as Surroundings};
+use crate::scene::{Held, Scene};
 use crate::twins::fire_update::Decision;
 
 const BOUNDS: Bounds = Bounds { farthest: 100.0, longest_move: 1.0 };
@@ -32,7 +32,7 @@ fn random(seed: u64) -> impl FnMut() -> f64 {
 }
 
 /// A state of a model away from rest.
-struct Scene {
+struct Case {
     model: Model,
     positions: Vec<DVec3>,
     velocities: Vec<DVec3>,
@@ -40,7 +40,7 @@ struct Scene {
     targets: Vec<f64>,
 }
 
-impl Scene {
+impl Case {
     fn new(model: Model, seed: u64, far: f64) -> Self {
         let mut random = random(seed);
         let mut vector = || DVec3::new(random(), random(), random());
@@ -58,7 +58,7 @@ impl Scene {
         let values = forces.evaluate(&self.positions, &self.targets, &mut angles);
         if damped {
             // What is held does not move.
-            let (mut velocities, held) = (self.velocities.clone(), Held::new(&self.model, &Surroundings::default()));
+            let (mut velocities, held) = (self.velocities.clone(), Held::new(&self.model, &Scene::default()));
             held.clear(&mut velocities);
             damping::add(&self.model, &velocities, values);
         }
@@ -99,7 +99,7 @@ fn difference(a: &[DVec3], b: &[DVec3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (*a - *b).length()).fold(0.0, f64::max) / largest
 }
 
-fn check(scene: &Scene, what: &str, exact: f64, mixed: f64) {
+fn check(scene: &Case, what: &str, exact: f64, mixed: f64) {
     for damped in [false, true] {
         let (forces, angles) = scene.plain(damped);
         for isa in Isa::all() {
@@ -127,7 +127,7 @@ fn nothing_pulls_at_a_flat_sheet_at_rest() {
         flat += 1;
         let (positions, velocities) = (model.rest.clone(), vec![DVec3::ZERO; model.node_count()]);
         let angles = vec![0.0; model.creases.len()];
-        let scene = Scene { targets: angles.clone(), model, positions, velocities, angles };
+        let scene = Case { targets: angles.clone(), model, positions, velocities, angles };
         for isa in Isa::all() {
             still(name, &scene.fast::<f64>(isa, true).0, isa);
             still(name, &scene.fast::<f32>(isa, true).0, isa);
@@ -143,7 +143,7 @@ fn every_lane_has_the_plain_forces() {
         for material in [Material::default(), Material { k_face: 0.0, zeta: 0.0, ..Material::default() }] {
             let model = Model::new(&pattern, &material).expect("a model");
             for (seed, far) in [(1, 1e-3), (2, 0.03), (3, 0.3)] {
-                check(&Scene::new(model.clone(), seed, far), entry.name, 1e-10, 1e-3);
+                check(&Case::new(model.clone(), seed, far), entry.name, 1e-10, 1e-3);
             }
         }
     }
@@ -167,10 +167,10 @@ fn held_nodes_own_stiffnesses_and_rods() {
     let model = odd_sheet();
     assert!(!model.fixed.is_empty() && model.mesh.sides.iter().any(|side| side.triangles == [None; 2]));
     for seed in 0..20 {
-        check(&Scene::new(model.clone(), seed, 0.05), "odd sheet", 1e-10, 1e-3);
+        check(&Case::new(model.clone(), seed, 0.05), "odd sheet", 1e-10, 1e-3);
     }
     let no_zeta = Material { zeta: 0.0, ..Material::default() };
-    check(&Scene::new(Model { material: no_zeta, ..model }, 1, 0.05), "undamped", 1e-10, 1e-3);
+    check(&Case::new(Model { material: no_zeta, ..model }, 1, 0.05), "undamped", 1e-10, 1e-3);
 }
 
 #[test]
@@ -178,7 +178,7 @@ fn triangles_that_collapse_pull_at_nothing_and_keep_their_angles() {
     let model = Model::new(&crate::generate::miura(4, 4).expect("valid"), &Material::default()).expect("a model");
     let [a, b, c] = model.mesh.triangles[5].map(|n| n.index());
     for height in [0.0, 1e-9, 1e-5, 1e-3] {
-        let mut scene = Scene::new(model.clone(), 1, 0.0);
+        let mut scene = Case::new(model.clone(), 1, 0.0);
         let away = DVec3::new(0.3, 0.5, 0.7) * height;
         scene.positions[c] = 0.5 * (scene.positions[a] + scene.positions[b]) + away;
         // What is left of a height in f32 has few digits.
@@ -189,7 +189,7 @@ fn triangles_that_collapse_pull_at_nothing_and_keep_their_angles() {
             assert!(forces.iter().all(|f| f.is_finite()) && angles.iter().all(|a| a.is_finite()), "{height}, {isa:?}");
         }
     }
-    let mut scene = Scene::new(model, 1, 0.0);
+    let mut scene = Case::new(model, 1, 0.0);
     scene.positions.fill(DVec3::ONE);
     for isa in Isa::all() {
         let (forces, angles) = scene.fast::<f64>(isa, false);
@@ -199,22 +199,21 @@ fn triangles_that_collapse_pull_at_nothing_and_keep_their_angles() {
 
 #[test]
 fn a_difference_is_seen() {
-    let scene = Scene::new(odd_sheet(), 1, 0.05);
+    let scene = Case::new(odd_sheet(), 1, 0.05);
     let (forces, _) = scene.plain(true);
     assert!(difference(&forces, &scene.plain(false).0) > 1e-3, "damping");
     let stiffer = Material { k_face: 0.21, ..scene.model.material };
-    let stiffer =
-        Scene { model: Model { material: stiffer, ..scene.model.clone() }, ..Scene::new(odd_sheet(), 1, 0.05) };
+    let stiffer = Case { model: Model { material: stiffer, ..scene.model.clone() }, ..Case::new(odd_sheet(), 1, 0.05) };
     assert!(difference(&forces, &stiffer.fast::<f64>(Isa::Portable, true).0) > 1e-5, "corner angles");
 }
 
 /// 100 steps by the plain formulas.
-fn plain_steps(scene: &Scene, time_step: f64) -> Vec<DVec3> {
+fn plain_steps(scene: &Case, time_step: f64) -> Vec<DVec3> {
     let (mut positions, mut velocities, mut angles) =
         (scene.positions.clone(), scene.velocities.clone(), scene.angles.clone());
     let mut forces = Forces::new(&scene.model);
     // What is held does not move, however it came; the kernel sees to that by itself.
-    Held::new(&scene.model, &Surroundings::default()).clear(&mut velocities);
+    Held::new(&scene.model, &Scene::default()).clear(&mut velocities);
     for _ in 0..100 {
         let values = forces.evaluate(&positions, &scene.targets, &mut angles);
         damping::add(&scene.model, &velocities, values);
@@ -226,7 +225,7 @@ fn plain_steps(scene: &Scene, time_step: f64) -> Vec<DVec3> {
     positions
 }
 
-fn steps<R: Compute>(scene: &Scene, isa: Isa, time_step: f64) -> Vec<DVec3> {
+fn steps<R: Compute>(scene: &Case, isa: Isa, time_step: f64) -> Vec<DVec3> {
     let mut kernel = scene.kernel::<R>(isa);
     for _ in 0..100 {
         kernel.fold_angles();
@@ -244,7 +243,7 @@ fn farthest(a: &[DVec3], b: &[DVec3]) -> f64 {
 
 #[test]
 fn a_hundred_steps_agree_and_do_not_depend_on_the_width() {
-    let mut scene = Scene::new(odd_sheet(), 3, 1e-3);
+    let mut scene = Case::new(odd_sheet(), 3, 1e-3);
     scene.velocities.iter_mut().for_each(|v| *v *= 0.1);
     scene.angles.fill(0.0);
     let time_step = crate::solve::time_step::safe(&scene.model, &scene.positions, crate::solve::Integrator::Euler);
@@ -264,7 +263,7 @@ fn a_hundred_steps_agree_and_do_not_depend_on_the_width() {
 }
 
 /// The bits of what a kernel does, step by step, its passes cut into so many tasks.
-fn bits<R: Compute>(scene: &Scene, tasks: usize, verlet: bool) -> (Vec<DVec3>, Vec<f64>, Vec<f64>) {
+fn bits<R: Compute>(scene: &Case, tasks: usize, verlet: bool) -> (Vec<DVec3>, Vec<f64>, Vec<f64>) {
     let mut kernel = scene.shared::<R>(Isa::best(), tasks);
     kernel.parallelism = super::Parallelism::steady(tasks);
     let masses = vec![[2.0, 0.5]; scene.positions.len()];
@@ -289,9 +288,9 @@ fn bits<R: Compute>(scene: &Scene, tasks: usize, verlet: bool) -> (Vec<DVec3>, V
 #[test]
 fn where_a_pass_is_cut_changes_no_bit() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool");
-    let small = Scene::new(odd_sheet(), 1, 1e-3);
+    let small = Case::new(odd_sheet(), 1, 1e-3);
     let large = crate::generate::miura(58, 53).expect("valid");
-    let mut large = Scene::new(Model::new(&large, &Material::default()).expect("a model"), 1, 1e-4);
+    let mut large = Case::new(Model::new(&large, &Material::default()).expect("a model"), 1, 1e-4);
     assert!(large.positions.len() > 3 * 1024, "several blocks of sums");
     large.velocities.iter_mut().for_each(|v| *v *= 0.1);
     for scene in [small, large] {
@@ -312,7 +311,7 @@ fn where_a_pass_is_cut_changes_no_bit() {
 fn what_leaves_all_bounds_or_is_no_number_is_seen() {
     for isa in Isa::all() {
         for bad in [f64::NAN, f64::INFINITY, 1e3] {
-            let mut scene = Scene::new(odd_sheet(), 1, 1e-3);
+            let mut scene = Case::new(odd_sheet(), 1, 1e-3);
             let mut kernel = scene.kernel::<f64>(isa);
             assert!(kernel.euler(1e-3), "{isa:?}");
             scene.positions[9].y = bad;

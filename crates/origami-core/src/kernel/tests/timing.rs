@@ -3,7 +3,7 @@
 use std::io::Write as _;
 use std::time::Instant;
 
-use super::{Compute, Isa, Kernel, Material, Model, Scene};
+use super::{Case, Compute, Isa, Kernel, Material, Model};
 use crate::kernel::parallelism::Parallelism;
 
 #[test]
@@ -13,14 +13,14 @@ fn timing() {
         let pattern = crate::generate::miura(panels, panels).expect("valid");
         let model = Model::new(&pattern, &Material::default()).expect("valid");
         let nodes = model.node_count();
-        let scene = Scene::new(model, 1, 1e-4);
+        let scene = Case::new(model, 1, 1e-4);
         let repeat = (30_000 / nodes).max(1);
         time::<f64>(&scene, repeat);
         time::<f32>(&scene, repeat);
     }
 }
 
-fn time<R: Compute>(scene: &Scene, repeat: usize) {
+fn time<R: Compute>(scene: &Case, repeat: usize) {
     let nodes = scene.positions.len();
     for isa in Isa::all() {
         if matches!(isa, Isa::PortableFused | Isa::Counting) {
@@ -68,14 +68,14 @@ fn time<R: Compute>(scene: &Scene, repeat: usize) {
 fn timing_of_threads() {
     for panels in [15_usize, 22, 31, 54, 99, 172, 315] {
         let pattern = crate::generate::miura(panels, panels).expect("valid");
-        let scene = Scene::new(Model::new(&pattern, &Material::default()).expect("valid"), 1, 1e-4);
+        let scene = Case::new(Model::new(&pattern, &Material::default()).expect("valid"), 1, 1e-4);
         time_threads::<f64>(&scene, "f64");
         time_threads::<f32>(&scene, "mixed");
     }
 }
 
 /// On one thread, always shared out among two, and as the clock decides.
-fn time_threads<R: Compute>(scene: &Scene, what: &str) {
+fn time_threads<R: Compute>(scene: &Case, what: &str) {
     let nodes = scene.positions.len();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("a pool");
     let mut kernels = [1, 2, 2].map(|threads| scene.shared::<R>(Isa::best(), threads));

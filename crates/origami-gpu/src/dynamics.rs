@@ -25,13 +25,11 @@ pub(crate) fn run(
     instances: &[Instance<'_>],
     observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Vec<Result<Folded, Failed>> {
-    let mut targets = Vec::with_capacity(instances.len());
-    for instance in instances {
-        match self::targets(dynamics, instance) {
-            Ok(own) => targets.push(own),
-            Err(refusal) => return refused(instances, &refusal),
-        }
-    }
+    let targets: Result<Vec<_>, _> = instances.iter().map(|i| self::targets(dynamics, i)).collect();
+    let targets = match targets {
+        Ok(targets) => targets,
+        Err(refusal) => return refused(instances, &refusal),
+    };
     let beginnings: Vec<Beginning<'_>> =
         instances.iter().zip(&targets).map(|(i, targets)| beginning(dynamics, i, targets.clone())).collect();
     let mut report = |i: usize, control: &Control| observe(i, progress(control));

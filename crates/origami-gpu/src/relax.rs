@@ -26,13 +26,11 @@ pub(crate) fn run(
     instances: &[Instance<'_>],
     observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Vec<Result<Folded, Failed>> {
-    let mut targets = Vec::with_capacity(instances.len());
-    for instance in instances {
-        match self::targets(instance) {
-            Ok(own) => targets.push(own),
-            Err(refusal) => return refused(instances, &refusal),
-        }
-    }
+    let targets: Result<Vec<_>, _> = instances.iter().map(|i| self::targets(i)).collect();
+    let targets = match targets {
+        Ok(targets) => targets,
+        Err(refusal) => return refused(instances, &refusal),
+    };
     let first = |(i, to): (&Instance<'_>, &Vec<f64>)| relax.first_attempt(i.model, &i.start, to);
     let mut active: Vec<(usize, Attempt)> = instances.iter().zip(&targets).map(first).enumerate().collect();
     let mut best_so_far: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();

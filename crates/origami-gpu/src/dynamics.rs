@@ -25,7 +25,7 @@ pub(crate) fn run(
     instances: &[Instance<'_>],
     observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Vec<Result<Folded, Failed>> {
-    let targets: Result<Vec<_>, _> = instances.iter().map(|i| self::targets(dynamics, i)).collect();
+    let targets: Result<Vec<_>, _> = instances.iter().map(|i| targets(dynamics, i)).collect();
     let targets = match targets {
         Ok(targets) => targets,
         Err(refusal) => return refused(instances, &refusal),

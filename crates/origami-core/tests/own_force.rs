@@ -252,3 +252,35 @@ fn wind_on_a_free_sheet_moves_it_as_a_stone_falls() {
     }
     assert_eq!(scene.inventory(&model).built.last().map(|b| b.what), Some("wind"));
 }
+
+/// Drags each node back by its velocity.
+#[derive(Debug)]
+struct Drag(f64);
+
+impl Force for Drag {
+    fn inventory(&self) -> Built {
+        Built { what: "drag", count: 1 }
+    }
+
+    fn add_forces(&self, _: &[DVec3], velocities: &[DVec3], forces: &mut [DVec3]) {
+        velocities.iter().zip(forces).for_each(|(v, force)| *force -= self.0 * *v);
+    }
+}
+
+/// Without any damping of its own a sheet that falls under drag reaches the speed at which both are equal.
+#[test]
+fn drag_is_told_the_velocities_of_an_undamped_sheet() {
+    for zeta in [0.0, 0.45] {
+        let material = Material { zeta, ..Material::default() };
+        let model = Model::new(&catalog::generate("bird-base", &[]).expect("a pattern"), &material).expect("a model");
+        let (weight, drag) = (-2e-3 * DVec3::Z, 0.5);
+        let scene = Scene::default().with_force(Wind(weight)).with_force(Drag(drag));
+        let dynamics = Dynamics { time_step: TimeStep::Fixed(1e-2), ..Dynamics::default() };
+        let rest = State::at_rest(&model);
+        let mut simulation = Simulation::in_scene(model, dynamics, &scene, rest).expect("it runs");
+        simulation.step(5000).expect("holds");
+        for v in simulation.state().expect("read").velocities {
+            assert!((v - weight / drag).length() < 1e-9, "zeta {zeta}: {v} is not {}", weight / drag);
+        }
+    }
+}

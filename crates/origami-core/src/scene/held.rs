@@ -28,11 +28,6 @@ impl Held {
         }
     }
 
-    /// Lets a node go.
-    pub fn release(&mut self, node: NodeId) {
-        self.0.retain(|(own, _)| *own != node);
-    }
-
     /// Whether no node is held.
     #[must_use]
     pub fn is_empty(&self) -> bool {

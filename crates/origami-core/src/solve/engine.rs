@@ -154,7 +154,7 @@ impl Method for Relax {
         let threads = count(model, self.threads);
         let ramp = self.first_attempt(model, start, &targets).ramp;
         let begins = targets != start.targets || !scene.has_springs_only();
-        let positions = self.beginning(model, start, scene, &targets).positions;
+        let positions = self.first_positions(model, start, scene, &targets);
         let stepper = match self.precision {
             Precision::F64 => {
                 Precise::F64(Box::new(self.stepper((model, start), positions, (scene, targets, ramp), threads)))
@@ -172,8 +172,7 @@ impl Method for Dynamics {
     type Engine = CpuEngine;
 
     fn engine(&self, model: &Arc<Model>, scene: &Scene, start: &State) -> Result<CpuEngine, Failed> {
-        let endless = Self { steps: Some(0), ..self.clone() };
-        endless.check(model, scene).map_err(|refusal| Failed::refused(refusal, start))?;
+        self.check(model, scene).map_err(|refusal| Failed::refused(refusal, start))?;
         let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
         let threads = count(model, self.threads);
         let stepper = match self.precision {

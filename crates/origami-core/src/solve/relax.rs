@@ -232,7 +232,7 @@ impl Relax {
     }
 
     /// Where the nodes of an attempt begin.
-    fn first_positions(&self, model: &Model, start: &State, scene: &Scene, targets: &[f64]) -> Vec<DVec3> {
+    pub(super) fn first_positions(&self, model: &Model, start: &State, scene: &Scene, targets: &[f64]) -> Vec<DVec3> {
         let mut positions = start.positions.clone();
         if self.perturbation > 0.0 && (targets != start.targets || !scene.has_springs_only()) {
             perturb(model, &Held::new(model, scene), &mut positions, self.perturbation, 0);

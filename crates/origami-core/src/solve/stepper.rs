@@ -133,7 +133,7 @@ impl<R: Compute> Stepper<R> {
 
     fn relax(&mut self, origin: Origin<'_>, stops: bool) -> Result<bool, Diverged> {
         self.turned = self.kernel.fold_angles();
-        self.forces(false);
+        self.forces(false, false);
         self.steps += 1;
         if self.ramp.done() && self.settled() && stops {
             return Ok(true);
@@ -156,14 +156,14 @@ impl<R: Compute> Stepper<R> {
         // Damping has no part in what tells how far it is to the equilibrium.
         let looks = self.ramp.done() && self.settling.window_ends();
         if looks {
-            self.forces(false);
+            self.forces(false, false);
         }
         if self.ramp.done() && self.settled() && stops {
             self.set_previous(previous);
             return Ok(true);
         }
-        if damped || !looks {
-            self.forces(damped);
+        if damped || !looks || !self.surroundings.forces().is_empty() {
+            self.forces(damped, true);
         }
         self.steps += 1;
         let in_bounds = if verlet { self.kernel.verlet(dt, previous) } else { self.kernel.euler(dt) };
@@ -178,9 +178,10 @@ impl<R: Compute> Stepper<R> {
         }
     }
 
-    /// Forces on all nodes: of the springs, of the damping if `damped`, and from outside.
-    fn forces(&mut self, damped: bool) {
-        self.surroundings.evaluate(&mut self.kernel, damped);
+    /// Forces on all nodes: of the springs, of the damping if `damped`, and from outside; forces of one's own are told the
+    /// velocities if the sheet is `moving`, and none where its equilibrium is sought.
+    fn forces(&mut self, damped: bool, moving: bool) {
+        self.surroundings.evaluate(&mut self.kernel, moving);
         self.kernel.triangle_forces(damped);
     }
 

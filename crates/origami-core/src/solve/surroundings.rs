@@ -56,11 +56,16 @@ impl Surroundings {
         kernel.set_outside(model, &self.held, everywhere, loaded);
         let none_before = self.sums.is_empty();
         if !self.loads.is_empty() || everywhere || !none_before {
-            self.sums.clear();
             self.sums.resize(model.node_count(), DVec3::ZERO);
-            self.loads.iter().for_each(|load| self.sums[load.node.index()] += load.force);
+            self.sum_loads();
             kernel.set_loads(&self.sums);
         }
+    }
+
+    /// The loads, by node.
+    fn sum_loads(&mut self) {
+        self.sums.fill(DVec3::ZERO);
+        self.loads.iter().for_each(|load| self.sums[load.node.index()] += load.force);
     }
 
     /// Evaluates forces of one's own at the kernel's positions; `moving`: at its velocities too.
@@ -75,8 +80,7 @@ impl Surroundings {
             self.velocities.clear();
             self.velocities.resize(self.positions.len(), DVec3::ZERO);
         }
-        self.sums.fill(DVec3::ZERO);
-        self.loads.iter().for_each(|load| self.sums[load.node.index()] += load.force);
+        self.sum_loads();
         for own in &self.forces {
             own.add_forces(&self.positions, &self.velocities, &mut self.sums);
         }

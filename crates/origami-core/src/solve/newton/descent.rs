@@ -124,8 +124,12 @@ impl<'m> Descent<'m> {
         self.shift = FIRST;
     }
 
-    /// What the supports do to the held nodes at the state that was last measured.
-    pub(super) fn reactions(&self) -> Vec<Reaction> {
+    /// What the supports do to the held nodes at `state`.
+    pub(super) fn reactions(&mut self, state: &State) -> Vec<Reaction> {
+        if self.forces.held().is_empty() {
+            return Vec::new();
+        }
+        self.forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles.clone());
         self.forces.reactions().to_vec()
     }
 

@@ -148,11 +148,9 @@ impl Newton {
             escapes += 1;
         };
         state.velocities.fill(DVec3::ZERO);
-        // Of the state itself, not of one that was tried.
-        descent.measure(&mut state);
         Equilibrium {
             cancelled: end == End::Cancelled,
-            reactions: descent.reactions(),
+            reactions: descent.reactions(&state),
             distance: if end == End::Settled { descent.distance(&state, &measured) } else { f64::INFINITY },
             converged: end == End::Settled,
             residual: measured.residual,

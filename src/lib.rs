@@ -52,6 +52,7 @@
 //!
 //! | feature | what it adds |
 //! |---|---|
+//! | `formats` | the module `formats`: crease patterns as CP, OPX, ORI, SVG and others |
 //! | `gpu` | the module `gpu`: the same solvers through wgpu; `gpu.with(Relax::default())` is a [`Solver`] like any other |
 //! | `render` | the module `picture`: pictures and films on the CPU; with `gpu` also `gpu::render` |
 //! | `newton` | `Newton`: equilibria to a residual of 1e-10, the reference that errors are measured against |
@@ -59,9 +60,12 @@
 //! | `serde` | `Serialize` and `Deserialize` for settings, scenes, states and saved simulations |
 //! | `files`, `parallel` | on by default: paths, and threads |
 //!
-//! This crate is a facade: everything is re-exported from `origami_core`, `origami_gpu`, `origami_picture` and
+//! This crate is a facade: everything is re-exported from `origami_core`, `origami_formats`, `origami_gpu`, `origami_picture` and
 //! `origami_study`.
 pub use origami_core::*;
+/// Other formats than FOLD.
+#[cfg(feature = "formats")]
+pub use origami_formats as formats;
 /// The solvers on a GPU, through wgpu.
 #[cfg(feature = "gpu")]
 pub use origami_gpu as gpu;

@@ -38,8 +38,9 @@ const MAY_USE: [(&str, &[&str]); 17] = [
 ];
 
 /// The workspace's crates: where each has its sources, and the file of its root module.
-const CRATES: [(&str, &str); 7] = [
+const CRATES: [(&str, &str); 8] = [
     (CORE, "lib.rs"),
+    ("crates/origami-formats/src", "lib.rs"),
     (GPU, "lib.rs"),
     ("crates/origami-picture/src", "lib.rs"),
     (STUDY, "lib.rs"),

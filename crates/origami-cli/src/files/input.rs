@@ -1,11 +1,13 @@
 //! A file or standard input.
 
 use std::fmt;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use origami::Error;
 use origami::fold::Document;
+
+use super::read;
 
 /// Where a pattern comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,10 +29,15 @@ impl Input {
     /// # Errors
     /// As for [`Document::read`].
     pub(crate) fn read(&self) -> Result<Document, Error> {
-        match self {
-            Self::Stdin => Document::from_reader(io::stdin().lock()),
-            Self::File(path) => Document::read(path),
-        }
+        let (bytes, name) = match self {
+            Self::Stdin => {
+                let mut bytes = Vec::new();
+                (io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes), None)
+            }
+            Self::File(path) => (std::fs::read(path), Some(path.as_path())),
+        };
+        let bytes = bytes.map_err(|source| Error::Io { path: self.to_string(), source })?;
+        read::document(&bytes, name)
     }
 
     /// The name of what is made from it, without folder and extension.

@@ -3,6 +3,7 @@
 mod format;
 mod input;
 mod plan;
+mod read;
 mod write;
 
 pub(crate) use format::Format;

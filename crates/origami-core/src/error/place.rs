@@ -30,6 +30,8 @@ pub enum Place {
         index: Option<usize>,
         /// The path from that entry on, such as `[0]` for the first coordinate of a vertex; mostly empty.
         within: Box<str>,
+        /// Where the edge was written in the file that this FOLD data was made from, such as `line 12`; mostly empty.
+        source: Box<str>,
     },
     /// A frame of the file as a whole: 0 is the key frame.
     Frame(usize),
@@ -79,13 +81,13 @@ impl Place {
     /// The whole of what a FOLD file has under `key`.
     #[must_use]
     pub fn key(key: impl Into<Cow<'static, str>>) -> Self {
-        Self::Key { frame: None, key: key.into(), index: None, within: "".into() }
+        Self::Key { frame: None, key: key.into(), index: None, within: "".into(), source: "".into() }
     }
 
     /// Entry `index` of the array under `key`.
     #[must_use]
     pub fn entry(key: impl Into<Cow<'static, str>>, index: usize) -> Self {
-        Self::Key { frame: None, key: key.into(), index: Some(index), within: "".into() }
+        Self::Key { frame: None, key: key.into(), index: Some(index), within: "".into(), source: "".into() }
     }
 
     /// This place in frame `of` of the file, 0 being the key frame. Only a [`Place::Key`] changes.
@@ -101,6 +103,16 @@ impl Place {
     pub(crate) fn within(mut self, path: &str) -> Self {
         if let Self::Key { within, .. } = &mut self {
             *within = path.into();
+        }
+        self
+    }
+
+    /// This place with where its edge was written before there was a FOLD file, such as `line 12`. Only a [`Place::Key`]
+    /// changes.
+    #[must_use]
+    pub fn written_at(mut self, at: &str) -> Self {
+        if let Self::Key { source, .. } = &mut self {
+            *source = at.into();
         }
         self
     }
@@ -148,7 +160,10 @@ impl From<String> for Place {
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Key { frame, key, index, within } => {
+            Self::Key { frame, key, index, within, source } => {
+                if !source.is_empty() {
+                    write!(f, "{source}, ")?;
+                }
                 if let Some(frame) = frame.and_then(|frame| frame.checked_sub(1)) {
                     write!(f, "file_frames[{frame}].")?;
                 }

@@ -6,6 +6,8 @@ pub const K_CREASE: &str = "edges_origami:k_crease";
 pub const EA: &str = "edges_origami:ea";
 /// For each edge its fold angle in degrees as it is, where FOLD's range from -180 to 180 cannot hold it.
 pub const FOLD_ANGLE: &str = "edges_origami:foldAngle";
+/// For each edge where it was written in the file that the FOLD file was made from, such as `line 12`.
+pub const SOURCE: &str = "edges_origami:source";
 /// How far a folded frame was asked to fold, in percent of all fold angles.
 pub const PERCENT: &str = "origami:percent";
 /// For each vertex whether it stays where it is.

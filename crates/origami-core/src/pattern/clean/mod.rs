@@ -17,6 +17,7 @@ mod paper;
 mod planar;
 mod rings;
 mod sides;
+mod sources;
 
 use glam::DVec3;
 
@@ -25,6 +26,7 @@ use draft::{Draft, DraftEdge, EdgeMap, GivenAngle, Origin};
 use letters::Letter;
 use notes::Notes;
 use sides::Sides;
+use sources::Sources;
 
 use crate::error::{Error, ErrorCode, Place, WarningCode};
 use crate::fold::Frame;
@@ -39,6 +41,15 @@ const RANGE: i32 = 100;
 
 /// The cleaned pattern of a frame.
 pub(super) fn pattern(frame: &Frame) -> Result<CreasePattern, Error> {
+    let sources = Sources::of(frame);
+    let mut pattern = cleaned(frame).map_err(|error| sources.of_error(error))?;
+    for warning in &mut pattern.warnings {
+        warning.place = sources.of_place(std::mem::replace(&mut warning.place, Place::Frame(0)));
+    }
+    Ok(pattern)
+}
+
+fn cleaned(frame: &Frame) -> Result<CreasePattern, Error> {
     let mut notes = Notes::default();
     let vertices = vertices(frame, &mut notes)?;
     let edges = edges(frame, vertices.len(), &mut notes)?;

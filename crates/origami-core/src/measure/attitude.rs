@@ -134,7 +134,7 @@ fn of_sheet(model: &Model, positions: &[DVec3]) -> Option<Motion> {
     let open = OPEN - told / told_at_rest;
     let about = |rotation| Some(Motion::about(rotation, moments.folded, moments.rest));
     // NaN, of a sheet on a line, leaves the fit as it is.
-    if !(open > 0.0) {
+    if open <= 0.0 || open.is_nan() {
         return about(rotation);
     }
     let face = of_face(model, positions, reference(model)?)?;
@@ -174,7 +174,7 @@ impl Moments {
             let corners = (0..3).fold(outer(sum, sum_before), |all, k| all + outer(now[k], before[k]));
             products += corners * (own / 12.0);
         }
-        if !(area > 0.0) {
+        if area <= 0.0 || area.is_nan() {
             return None;
         }
         let (folded, rest) = (folded / area, rest / area);

@@ -1,5 +1,6 @@
 //! From the command line to what the library wants.
 
+use origami::measure::attitude::Hold;
 use origami::model::{Material, Model};
 #[cfg(feature = "newton")]
 use origami::solve::Newton;
@@ -29,6 +30,8 @@ pub(crate) struct Settings {
     pub(crate) style: Option<Style>,
     /// What films are like.
     pub(crate) film: Film,
+    /// What keeps its place.
+    pub(crate) hold: Hold,
     /// What the sheet is made of.
     pub(crate) material: Material,
     /// As on the command line.
@@ -61,6 +64,7 @@ impl Settings {
             animated: args.frames.is_some(),
             style: drawn.then(|| Style::new(&args.picture)).transpose()?,
             film: Film { turntable: args.turntable, fps: args.fps },
+            hold: args.hold.unwrap_or_default(),
             material: args.material.material(),
             solver_name: solving.solver,
             method: method(solving, args.perturbation)?,

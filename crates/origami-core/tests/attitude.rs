@@ -151,7 +151,7 @@ fn a_face_that_is_held_lies_where_it_lay() {
         let held = turned(&model, &state, Hold::Face(FaceId(face))).unwrap();
         for node in of(face) {
             let moved = held.positions[node.index()].distance(model.rest[node.index()]);
-            assert!(moved < 1e-3, "face {face}: {moved}");
+            assert!(moved < 3e-3, "face {face}: {moved}");
         }
         assert!(apart(&held, &State::at_rest(&model)) > 0.3, "the others fold");
     }

@@ -4,8 +4,10 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use origami::measure::attitude::Hold;
 use origami::solve::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, TimeStep};
 
+use super::hold::hold;
 use super::values::{finite, positive, share, time_step};
 use super::{MaterialArgs, PictureArgs};
 use crate::files::Format;
@@ -95,6 +97,15 @@ pub(crate) struct FoldArgs {
     /// Which frame of the input to fold: 0 is the key frame [default: the first with vertex positions]
     #[arg(long, value_name = "N")]
     pub(crate) frame: Option<usize>,
+
+    /// What keeps its place: `sheet`, `none` or the number of a face [default: sheet]
+    ///
+    /// Folding does not say how the folded sheet lies. With `sheet` it lies as near as can be to where it lay before, by
+    /// rotation and translation alone, and flat where it is folded flat; a face stays where it lay itself; with `none` the
+    /// sheet lies where the solver left it. Pictures, films and files have the same. Sheets with fixed vertices are not
+    /// turned, unless by a face that is named here.
+    #[arg(long, value_name = "FACE", value_parser = hold)]
+    pub(crate) hold: Option<Hold>,
 
     /// Write what was built, done and measured as JSON; `-` is standard output
     ///

@@ -2,6 +2,7 @@
 
 mod adapters;
 mod fold;
+mod hold;
 mod info;
 mod list;
 mod look;

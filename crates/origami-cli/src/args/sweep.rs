@@ -4,9 +4,11 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
+use origami::measure::attitude::Hold;
 use origami::model::{Material, MaterialGrid};
 use origami::solve::{Relax, Sweep};
 
+use super::hold::hold;
 use super::list::List;
 use super::values::{at_least_zero, finite, positive, share};
 use super::{SolverName, SolvingArgs};
@@ -75,6 +77,14 @@ pub(crate) struct SweepArgs {
     /// Which frame of the input to fold: 0 is the key frame [default: the first with vertex positions]
     #[arg(long, value_name = "N")]
     pub(crate) frame: Option<usize>,
+
+    /// What keeps its place: `sheet`, `none` or the number of a face [default: sheet]
+    ///
+    /// Folding does not say how the folded sheet lies. With `sheet` it lies as near as can be to where it lay before, by
+    /// rotation and translation alone, and flat where it is folded flat; a face stays where it lay itself; with `none` the
+    /// sheet lies where the solver left it. Sheets with fixed vertices are not turned, unless by a face that is named here.
+    #[arg(long, value_name = "FACE", value_parser = hold)]
+    pub(crate) hold: Option<Hold>,
 
     /// How many sheets to fold at once [default: as many as there are processors]
     #[arg(long, value_name = "N")]

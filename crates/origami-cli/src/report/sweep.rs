@@ -25,6 +25,8 @@ pub(crate) struct Table {
     pub(crate) precision: &'static str,
     /// Distance from the equilibrium at which to stop, in radii.
     pub(crate) tolerance: f64,
+    /// What keeps its place in the folded sheets.
+    pub(crate) attitude: String,
     /// What was built: materials differ in what they need.
     pub(crate) scenes: Vec<SceneFacts>,
     /// In the order in which they vary.

@@ -26,6 +26,7 @@ const KEYS: [&str; 31] = [
     "converged",
     "stop",
     "attempts",
+    "attitude",
     "residual",
     "distance",
     "tolerance",

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use origami::error::WarningCode;
 use origami::export::Template;
+use origami::measure::attitude;
 use origami::model::Model;
 use origami::solve::{Failed, Progress, Stop, fold_path};
 use origami::{CreasePattern, Error, Warning, measure};
@@ -12,7 +13,7 @@ use super::summary::{self, Told};
 use crate::draw::{self, Artist, Subject};
 use crate::exit::Exit;
 use crate::files::{self, Destination, Format, Input, Sheet, Target};
-use crate::report::{Divergence, Ending, Measured, Note, Report, Run, SceneFacts, Seconds};
+use crate::report::{self, Divergence, Ending, Measured, Note, Report, Run, SceneFacts, Seconds};
 use crate::settings::{Settings, scene_warnings};
 use crate::stopwatch::Stopwatch;
 
@@ -69,6 +70,8 @@ fn attempt(
     let model = Model::new(&pattern, &settings.material)?;
     seconds.build = watch.lap();
 
+    // A face that is not there is refused before the work.
+    attitude::motion(&model, &model.rest, settings.hold)?;
     let computer = settings.backend.choose(&settings.method, model.node_count());
     let mut warnings =
         scene_warnings(&model, &settings.percents, computer.adapter.is_some().then_some(settings.tolerance));
@@ -89,13 +92,14 @@ fn attempt(
         precision: settings.precisions[usize::from(on_gpu)],
         scene,
         tolerance: settings.tolerance,
+        attitude: report::attitude(&pattern, settings.hold),
         measured: Measured::default(),
         frames: None,
         diverged: None,
         outputs: Vec::new(),
         seconds,
     };
-    let states = match solved {
+    let mut states = match solved {
         Ok(states) => states,
         Err(failed) => {
             let Failed::Diverged(diverged) = &failed.failed else {
@@ -125,6 +129,9 @@ fn attempt(
     let frames: Vec<Measured> = states.iter().map(|folded| Measured::new(&model, folded)).collect();
     run.measured = overall(&frames);
     run.frames = settings.animated.then_some(frames);
+    for folded in &mut states {
+        folded.state = attitude::turned(&model, &folded.state, settings.hold)?;
+    }
     watch.lap();
     let artist = Artist::new(
         settings.style.clone().unwrap_or_default(),

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use origami::export::Template;
+use origami::measure::attitude::{self, Hold};
 use origami::model::{Inventory, Model};
 use origami::solve::{Failed, Folded, Instance, Point, Solver, Sweep};
 use origami::{CreasePattern, Error, Warning};
@@ -28,6 +29,8 @@ pub(super) struct Work<'a> {
     pub(super) solver: &'a dyn Solver,
     pub(super) folder: &'a Folder<'a>,
     pub(super) line: &'a ProgressLine,
+    /// What keeps its place in the files.
+    pub(super) hold: Hold,
     /// The tolerance, where a GPU computes.
     pub(super) on_gpu: Option<f64>,
 }
@@ -66,6 +69,8 @@ impl Work<'_> {
         // The material varies slowest.
         let models = Model::of_each(self.pattern, &self.sweep.materials[first.material..=last.material])?;
         if done.rows.is_empty() {
+            // A face that is not there is refused before the work.
+            attitude::motion(&models[0], &models[0].rest, self.hold)?;
             // Not before it is known that there is something to be written.
             self.folder.make()?;
         }
@@ -155,7 +160,8 @@ impl Work<'_> {
         }
     }
 
-    fn write(&self, index: usize, model: &Model, folded: Folded) -> Result<Vec<String>, Error> {
+    fn write(&self, index: usize, model: &Model, mut folded: Folded) -> Result<Vec<String>, Error> {
+        folded.state = attitude::turned(model, &folded.state, self.hold)?;
         let artist = Artist::default();
         let sheet = Sheet {
             template: self.template,

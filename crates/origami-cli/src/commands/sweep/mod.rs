@@ -15,7 +15,7 @@ use crate::draw::Style;
 use crate::exit::{Exit, Failure};
 use crate::files::Input;
 use crate::progress::ProgressLine;
-use crate::report::{Seconds, Table, write_csv, write_json};
+use crate::report::{self, Seconds, Table, write_csv, write_json};
 use crate::settings;
 use crate::stopwatch::Stopwatch;
 
@@ -61,6 +61,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         solver: computer.solver.as_ref(),
         folder: &folder,
         line: &line,
+        hold: args.hold.unwrap_or_default(),
         on_gpu: computer.adapter.is_some().then_some(args.solving.tolerance),
     };
     let threads = args.threads.map_or(0, usize::from);
@@ -81,6 +82,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         precision: args.solving.precision_name(computer.adapter.is_some()),
         adapter: computer.adapter,
         tolerance: args.solving.tolerance,
+        attitude: report::attitude(&pattern, work.hold),
         scenes: done.scenes,
         instances: done.rows,
         seconds,

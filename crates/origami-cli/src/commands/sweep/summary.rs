@@ -128,6 +128,7 @@ mod tests {
             adapter: None,
             precision: "f64",
             tolerance: 1e-4,
+            attitude: "sheet".to_owned(),
             scenes: Vec::new(),
             instances: endings.iter().enumerate().map(row).collect(),
             seconds: Seconds::default(),

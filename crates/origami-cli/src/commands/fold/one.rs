@@ -148,7 +148,10 @@ fn attempt(
         fps: settings.film.fps,
     };
     for target in targets {
-        run.outputs.extend(write(target, &sheet, settings, observe)?);
+        let (outputs, warning) = write(target, &sheet, settings, observe)?;
+        run.outputs.extend(outputs);
+        run.scene.warnings.extend(warning.iter().map(Note::from));
+        told.warnings.extend(warning);
         let seconds = watch.lap();
         *(if target.format.is_drawn() { &mut drawing } else { &mut run.seconds.write }) += seconds;
     }
@@ -169,21 +172,21 @@ fn attempt(
     Ok((if limited.is_some() { Exit::NotConverged } else { Exit::Done }, Report::Folded(Box::new(run))))
 }
 
-/// Writes one target and says which files it is.
+/// Writes one target and says which files it is, and what is not in them as it was asked for.
 fn write(
     target: &Target,
     sheet: &Sheet<'_>,
     settings: &Settings,
     observe: &mut dyn FnMut(Seen),
-) -> Result<Vec<String>, Error> {
+) -> Result<(Vec<String>, Option<Warning>), Error> {
     if let (Format::Film, Destination::File(path)) = (target.format, &target.destination) {
         let states = sheet.states_of(Format::Film);
         let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
         let mut drawn = |drawn, of| observe(Seen::Pictures(drawn, of));
-        return draw::film(sheet.artist, subject, settings.film, path, &mut drawn);
+        return Ok((draw::film(sheet.artist, subject, settings.film, path, &mut drawn)?, None));
     }
-    files::write(target, sheet)?;
-    Ok(vec![target.destination.to_string()])
+    let warning = files::write(target, sheet)?;
+    Ok((vec![target.destination.to_string()], warning))
 }
 
 /// The last state, with the steps of all of them; converged if all of them are.

@@ -1,6 +1,7 @@
 //! So many sheets at once as memory holds.
 
 use std::ops::ControlFlow;
+use std::sync::OnceLock;
 
 use origami::export::Template;
 use origami::measure::attitude::{self, Hold};
@@ -31,6 +32,8 @@ pub(super) struct Work<'a> {
     pub(super) line: &'a ProgressLine,
     /// What keeps its place in the files.
     pub(super) hold: Hold,
+    /// What is not in the files of the sheets as it was asked for.
+    pub(super) told: OnceLock<Warning>,
     /// The tolerance, where a GPU computes.
     pub(super) on_gpu: Option<f64>,
 }
@@ -175,7 +178,10 @@ impl Work<'_> {
         let write = |format: &files::Format| {
             let destination = Destination::File(self.folder.sheet(index, *format));
             let target = Target { destination, format: *format, folder: None };
-            files::write(&target, &sheet)?;
+            if let Some(warning) = files::write(&target, &sheet)? {
+                // The same of all sheets.
+                self.told.get_or_init(|| warning);
+            }
             Ok(target.destination.to_string())
         };
         self.folder.formats.iter().map(write).collect()

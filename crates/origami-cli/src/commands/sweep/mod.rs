@@ -5,6 +5,8 @@ mod folder;
 mod shares;
 mod summary;
 
+use std::sync::OnceLock;
+
 use origami::CreasePattern;
 use origami::export::{Template, write_whole};
 
@@ -61,6 +63,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         solver: computer.solver.as_ref(),
         folder: &folder,
         line: &line,
+        told: OnceLock::new(),
         hold: args.hold.unwrap_or_default(),
         on_gpu: computer.adapter.is_some().then_some(args.solving.tolerance),
     };
@@ -71,7 +74,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     line.finish();
     let done = done.map_err(told)?;
     if !args.quiet {
-        done.scene_warnings.iter().for_each(console::warning);
+        done.scene_warnings.iter().chain(work.told.get()).for_each(console::warning);
     }
 
     watch.lap();

@@ -10,6 +10,8 @@ pub enum Format {
     Fold,
     /// CP: a line a crease, of Oripa, Orihime, Oriedita and CP Editor.
     Cp,
+    /// SVG: strokes whose colours are letters.
+    Svg,
 }
 
 impl Format {
@@ -17,6 +19,10 @@ impl Format {
     #[must_use]
     pub fn of(bytes: &[u8], _name: Option<&Path>) -> Self {
         let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
-        if first.is_some_and(u8::is_ascii_digit) { Self::Cp } else { Self::Fold }
+        match first {
+            Some(b'<') => Self::Svg,
+            Some(first) if first.is_ascii_digit() => Self::Cp,
+            _ => Self::Fold,
+        }
     }
 }

@@ -16,32 +16,42 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod colours;
 pub mod cp;
+mod curves;
 mod format;
 mod lines;
+pub mod svg;
 
 use std::path::Path;
 
 use origami_core::Error;
 use origami_core::fold::Document;
 
+pub use colours::Colours;
 pub use format::Format;
 pub use lines::Lines;
 
 /// How files are read.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
-pub struct Options {}
+pub struct Options {
+    /// Which colours stand for which letters, where colours do.
+    pub colours: Colours,
+    /// How far straight pieces may be from a curve that they stand for, in the file's unit of length. `None` takes a share of
+    /// the pattern's size.
+    pub curve_tolerance: Option<f64>,
+}
 
 /// Reads a crease pattern of any format. `name` is the file's name, where it has one: it decides where the content does not.
 ///
 /// # Errors
 /// [`Error::Syntax`] with the line, and [`Error::Invalid`] for what can be read but means nothing.
 pub fn read(bytes: &[u8], name: Option<&Path>, options: &Options) -> Result<Document, Error> {
-    let _ = options;
     match Format::of(bytes, name) {
         Format::Fold => Document::from_slice(bytes),
         Format::Cp => cp::read(bytes),
+        Format::Svg => svg::read(bytes, options),
     }
 }
 

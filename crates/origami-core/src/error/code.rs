@@ -43,6 +43,10 @@ codes! {
         EmptyFile = "empty-file",
         /// The text breaks the rules of JSON.
         NotJson = "not-json",
+        /// The text breaks the rules of XML.
+        NotXml = "not-xml",
+        /// A drawing without a line that stands for a border or a crease.
+        NoLines = "no-lines",
         /// A value is of another type than its key has, such as a text in place of a number.
         WrongType = "wrong-type",
         /// An object has the same key twice.
@@ -97,6 +101,10 @@ codes! {
 codes! {
     /// The kind of a [`Warning`](super::Warning): to mute one kind, or to treat it as an error.
     WarningCode {
+        /// A part of the file that is no line of the pattern, or a property of a line, was left out.
+        LeftOut = "left-out",
+        /// A colour that was taken for another one, or dashes that were taken for colours.
+        Colour = "colour",
         /// A key by its name in FOLD 1.0.
         OldKey = "old-key",
         /// `frame_inherit` in the key frame, which has no parent.
@@ -203,7 +211,7 @@ mod tests {
         let errors: Vec<&str> = ErrorCode::ALL.iter().map(|code| code.name()).collect();
         assert_eq!(
             names(&errors),
-            "io not-utf8 empty-file not-json wrong-type key-twice number-too-large nested-too-deeply no-such-frame \
+            "io not-utf8 empty-file not-json not-xml no-lines wrong-type key-twice number-too-large nested-too-deeply no-such-frame \
              frames-in-a-circle missing-key wrong-length too-many-entries wrong-value not-finite no-such-vertex sheet-size \
              edge-without-length edge-twice edge-of-many-faces one-sided face-of-few-corners corner-twice \
              face-without-area face-not-simple no-paper lines-too-dense setting"
@@ -211,7 +219,7 @@ mod tests {
         let warnings: Vec<&str> = WarningCode::ALL.iter().map(|code| code.name()).collect();
         assert_eq!(
             names(&warnings),
-            "old-key key-frame-inherits no-parent mixed-dimensions vertices-merged isolated-vertex vertex-on-edge \
+            "left-out colour old-key key-frame-inherits no-parent mixed-dimensions vertices-merged isolated-vertex vertex-on-edge \
              edges-cross edge-without-length edge-twice edge-twice-letters edge-outside unlisted-side faces-built \
              face-turned face-clockwise face-without-area thin-face missing-letters missing-angles tilted-plane \
              lower-case unknown-letter letter-on-contour boundary-inside boundary-cut closed-cut angle-on-boundary \

@@ -21,13 +21,15 @@ pub enum Format {
     Ori,
     /// ORH: text, of Orihime.
     Orh,
+    /// SVG: strokes whose colours are letters.
+    Svg,
     /// Wavefront OBJ: faces, and lines for creases.
     Obj,
 }
 
 impl Format {
     /// All of them.
-    pub const ALL: &[Self] = &[Self::Fold, Self::Cp, Self::Opx, Self::Ori, Self::Orh, Self::Obj];
+    pub const ALL: &[Self] = &[Self::Fold, Self::Cp, Self::Opx, Self::Ori, Self::Orh, Self::Svg, Self::Obj];
 
     /// The format of a file that is not compressed, by its content; `name` is the file's, and decides where the content
     /// does not.
@@ -65,6 +67,7 @@ impl Format {
             Self::Opx => "opx",
             Self::Ori => "ori",
             Self::Orh => "orh",
+            Self::Svg => "svg",
             Self::Obj => "obj",
         }
     }
@@ -79,6 +82,7 @@ impl fmt::Display for Format {
             Self::Opx => "OPX (ORIPA)",
             Self::Ori => "ORI (Oriedita)",
             Self::Orh => "ORH (Orihime)",
+            Self::Svg => "SVG",
             Self::Obj => "OBJ",
         })
     }

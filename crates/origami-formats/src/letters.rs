@@ -1,4 +1,4 @@
-//! Letters from what drawings have in their place: names of layers, groups and materials, and colours.
+//! Letters from what drawings have in their place: names of layers, groups and materials.
 
 /// FOLD's letter for a name such as `Mountain folds`, `ValleyLine`, `cut` or `B`; `None` for a name that says nothing.
 ///
@@ -38,32 +38,6 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// FOLD's letter for a colour, each part from 0 to 1: by the reference program's rule, black is the border, red a mountain,
-/// blue a valley, green a cut, yellow (and cyan, Oriedita's) flat, magenta undriven. `None` for what is nearly white.
-pub(crate) fn of_colour([red, green, blue]: [f64; 3]) -> Option<&'static str> {
-    let [most, least] = [red.max(green).max(blue), red.min(green).min(blue)];
-    let spread = most - least;
-    if !spread.is_finite() || spread <= 0.25 * most {
-        return (most <= 0.7).then_some("B");
-    }
-    let sixth = if most == red {
-        ((green - blue) / spread).rem_euclid(6.0)
-    } else if most == green {
-        (blue - red) / spread + 2.0
-    } else {
-        (red - green) / spread + 4.0
-    };
-    Some(match 60.0 * sixth {
-        hue if hue < 35.0 => "M",
-        hue if hue < 75.0 => "F",
-        hue if hue < 165.0 => "C",
-        hue if hue < 195.0 => "F",
-        hue if hue < 265.0 => "V",
-        hue if hue < 330.0 => "U",
-        _ => "M",
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -85,27 +59,6 @@ mod tests {
             ("", None),
         ] {
             assert_eq!(of_name(name), letter, "{name}");
-        }
-    }
-
-    #[test]
-    fn colours_say_letters_by_their_hue() {
-        let hex = |rgb: u32| [16, 8, 0].map(|shift| f64::from(rgb >> shift & 255) / 255.0);
-        for (rgb, letter) in [
-            (0x000000, Some("B")),
-            (0x808080, Some("B")),
-            (0xff0000, Some("M")),
-            (0xed1c24, Some("M")),
-            (0x0000ff, Some("V")),
-            (0x2e3192, Some("V")),
-            (0x00ff00, Some("C")),
-            (0xffff00, Some("F")),
-            (0x00ffff, Some("F")),
-            (0xff00ff, Some("U")),
-            (0xffffff, None),
-            (0xe0e0e0, None),
-        ] {
-            assert_eq!(of_colour(hex(rgb)), letter, "{rgb:06x}");
         }
     }
 }

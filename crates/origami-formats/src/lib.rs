@@ -19,7 +19,9 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod colours;
 pub mod cp;
+mod curves;
 mod foreign;
 mod format;
 mod gzip;
@@ -31,6 +33,7 @@ pub mod opx;
 pub mod orh;
 pub mod ori;
 mod sniff;
+pub mod svg;
 mod text;
 mod xml;
 
@@ -42,6 +45,7 @@ use origami_core::Error;
 use origami_core::error::{ErrorCode, Place, Warning, WarningCode};
 use origami_core::fold::Document;
 
+pub use colours::Colours;
 pub use format::Format;
 pub use lines::Lines;
 
@@ -54,7 +58,13 @@ const MOST_TEXT: u64 = 1 << 28;
 /// How files are read.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
-pub struct Options {}
+pub struct Options {
+    /// Which colours stand for which letters, where colours do.
+    pub colours: Colours,
+    /// How far straight pieces may be from a curve that they stand for, in the file's unit of length. `None` takes a share of
+    /// the pattern's size.
+    pub curve_tolerance: Option<f64>,
+}
 
 /// What was read.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +92,6 @@ pub fn read(bytes: &[u8], name: Option<&Path>, options: &Options) -> Result<Docu
 /// # Errors
 /// As [`read`].
 pub fn open(bytes: &[u8], name: Option<&Path>, options: &Options) -> Result<Opened, Error> {
-    let _ = options;
     let compressed = gzip::is_gzip(bytes);
     let bytes = if compressed { Cow::Owned(gzip::unpacked(bytes, MOST_BYTES)?) } else { Cow::Borrowed(bytes) };
     let bytes = utf8(&bytes);
@@ -97,7 +106,8 @@ pub fn open(bytes: &[u8], name: Option<&Path>, options: &Options) -> Result<Open
         Format::Opx => opx::read(&bytes)?,
         Format::Ori => ori::read(&bytes)?,
         Format::Orh => orh::read(&bytes)?,
-        Format::Obj => obj::read(&bytes)?,
+        Format::Svg => svg::read(&bytes, options)?,
+        Format::Obj => obj::read(&bytes, options)?,
     };
     if document.key_frame.edges_vertices.as_ref().is_some_and(Vec::is_empty) && format != Format::Fold {
         let problem = format!("a {format} file without lines");

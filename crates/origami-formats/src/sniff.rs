@@ -104,6 +104,7 @@ fn xml(head: &str, bytes: &[u8]) -> Content {
     let local = root.rsplit(':').next().unwrap_or_default();
     match local {
         "java" if bytes.windows(5).any(|window| window.eq_ignore_ascii_case(b"oripa")) => Content::Known(Format::Opx),
+        "svg" => Content::Known(Format::Svg),
         "" => Content::Unknown,
         _ => Content::Foreign(foreign::xml(&text::quoted(local).replace('"', ""))),
     }

@@ -1,7 +1,7 @@
 //! Wavefront OBJ: a sheet of faces, in space or flat, with lines for creases.
 //!
 //! OBJ has no letters. A line (`l`) has that of the name of its material, group or object, or else that of the colour of its
-//! ends ([`crate::letters`]); a line that Freeform Origami wrote (`#e`) has its own. Without any, letters and fold angles
+//! ends ([`crate::Colours`]); a line that Freeform Origami wrote (`#e`) has its own. Without any, letters and fold angles
 //! follow from the shape. Where texture coordinates are the flat sheet, they are the pattern and the shape is its folded form.
 
 mod sheet;
@@ -10,20 +10,20 @@ mod statements;
 use origami_core::error::{Error, ErrorCode, Place};
 use origami_core::fold::Document;
 
-use crate::text;
+use crate::{Options, text};
 
 /// Reads an OBJ file.
 ///
 /// # Errors
 /// [`Error::Invalid`] with the number of the line whose numbers are none or whose vertex does not exist, and for a file
 /// without faces and lines.
-pub fn read(bytes: &[u8]) -> Result<Document, Error> {
+pub fn read(bytes: &[u8], options: &Options) -> Result<Document, Error> {
     let text = text::decode(bytes);
-    let obj = statements::read(&text)?;
+    let obj = statements::read(&text, &options.colours)?;
     if obj.faces.is_empty() && obj.lines.is_empty() {
         let place = Place::Line { line: 1, column: None };
         let (problem, expected) = ("an OBJ file without faces (f) and lines (l)", "a sheet of faces, or lines");
-        return Err(Error::new(ErrorCode::NotAPattern, place, problem, expected));
+        return Err(Error::new(ErrorCode::NoLines, place, problem, expected));
     }
     Ok(sheet::document(obj))
 }

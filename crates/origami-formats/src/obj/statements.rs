@@ -6,20 +6,21 @@ use glam::{DVec2, DVec3};
 use origami_core::error::{Error, ErrorCode, Place};
 
 use super::{Line, Obj};
+use crate::colours::Letter;
 use crate::lines::Lines;
-use crate::{letters, number, text};
+use crate::{Colours, letters, number, text};
 
 /// What is understood and says nothing of a pattern.
 const SILENT: [&str; 8] = ["vn", "vp", "s", "mtllib", "end", "call", "lod", "shadow_obj"];
 
 /// All that one file says.
-pub(super) fn read(text: &str) -> Result<Obj, Error> {
+pub(super) fn read(text: &str, rule: &Colours) -> Result<Obj, Error> {
     let mut reader = Reader::default();
     for (line, statement) in statements(text) {
         reader.line = line;
         reader.statement(&statement)?;
     }
-    reader.finish()
+    reader.finish(rule)
 }
 
 /// Statements with the lines on which they begin: a backslash at its end continues a line.
@@ -165,7 +166,7 @@ impl Reader {
         self.lines.push(([(a, None), (b, None)], Some(letter), None, self.line));
     }
 
-    fn finish(self) -> Result<Obj, Error> {
+    fn finish(self, rule: &Colours) -> Result<Obj, Error> {
         let count = self.vertices.len();
         let exists = |&(vertex, texture): &Corner, line: usize| {
             let place = || Place::Line { line, column: None };
@@ -197,7 +198,8 @@ impl Reader {
             ends.iter().try_for_each(|end| exists(end, *at))?;
             let ends = ends.map(|(vertex, _)| vertex);
             let colours = ends.map(|vertex| self.colours[vertex]);
-            let by_colour = || if colours[0] == colours[1] { colours[0].and_then(letters::of_colour) } else { None };
+            let by_colour =
+                || if colours[0] == colours[1] { colours[0].and_then(|colour| of_colour(colour, rule)) } else { None };
             let letter = letter.or_else(by_colour);
             lines.push(Line { ends: ends.map(|vertex| vertex as u32), letter, angle: *angle, at: *at });
         }
@@ -211,4 +213,10 @@ impl Reader {
         let warnings = self.odd.into_document().warnings;
         Ok(Obj { vertices: self.vertices, texture, faces, faces_at, lines, warnings })
     }
+}
+
+/// The letter of a colour, each part from 0 to 1.
+fn of_colour(colour: [f64; 3], rule: &Colours) -> Option<&'static str> {
+    let colour = colour.map(|part| (255.0 * part).round() as u8);
+    rule.letter(colour)?.0.map(Letter::letter)
 }

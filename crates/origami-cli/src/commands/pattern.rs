@@ -8,12 +8,12 @@ use origami::generate::catalog;
 use crate::args::PatternArgs;
 use crate::console;
 use crate::exit::{Exit, Failure};
-use crate::files::{Destination, Format, refuse_missing_folder, write_document};
+use crate::files::{self, Destination, Format, refuse_missing_folder, write_document};
 
 /// Makes one pattern, or lists them all.
 pub(super) fn run(args: &PatternArgs) -> Result<Exit, Failure> {
     let (Some(name), Some(output)) = (&args.name, &args.output) else {
-        console::print(list().as_bytes())?;
+        console::print_text(&list())?;
         return Ok(Exit::Done);
     };
     let destination = Destination::new(output);
@@ -23,6 +23,7 @@ pub(super) fn run(args: &PatternArgs) -> Result<Exit, Failure> {
             return Err(format!("{}: {problem}", path.display()).into());
         }
         refuse_missing_folder(path)?;
+        files::refuse_unwritable([path.as_path()])?;
     }
     let pattern = catalog::generate(name, &args.parameters)?;
     write_document(&destination, &crease_pattern_document(&pattern, &title(name, &args.parameters)))?;

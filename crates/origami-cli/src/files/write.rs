@@ -55,10 +55,7 @@ impl Sheet<'_> {
 /// # Errors
 /// [`Error::Io`] where the system refuses.
 pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<(), Error> {
-    let Some(last) = sheet.states.last() else { return Ok(()) };
-    if let Some(folder) = &target.folder {
-        fs::create_dir_all(folder).map_err(|source| Error::Io { path: folder.display().to_string(), source })?;
-    }
+    make_folder(target)?;
     let states = sheet.states_of(target.format);
     let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
     match target.format {
@@ -72,10 +69,12 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<(), Error> {
         Format::Film => Ok(()),
         Format::Fold => write_document(&target.destination, &sheet.fold()?),
         Format::Obj => {
+            let Some(last) = sheet.states.last() else { return Ok(()) };
             let positions = sheet.model.file_positions(sheet.pattern, &last.state.positions);
             whole(&target.destination, |writer| write_obj(writer, sheet.pattern, &positions))
         }
         Format::Stl => {
+            let Some(last) = sheet.states.last() else { return Ok(()) };
             let points: Vec<_> = last.state.positions.iter().map(|p| sheet.model.normalisation.to_file(*p)).collect();
             let mesh = &sheet.model.mesh;
             let corners = |t: &TriangleId| mesh.triangles[t.index()].map(|n| n.0);
@@ -83,6 +82,15 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<(), Error> {
             whole(&target.destination, |writer| write_stl(writer, &points, &triangles))
         }
     }
+}
+
+/// Makes the folder that a file goes into, where one is to be made.
+///
+/// # Errors
+/// [`Error::Io`] where the system refuses.
+pub(crate) fn make_folder(target: &Target) -> Result<(), Error> {
+    let Some(folder) = &target.folder else { return Ok(()) };
+    fs::create_dir_all(folder).map_err(|source| Error::Io { path: folder.display().to_string(), source })
 }
 
 /// Writes a FOLD file, whole or not at all.

@@ -27,7 +27,8 @@ pub(super) enum Seen {
 /// What came of one input.
 pub(super) struct Finished {
     pub(super) exit: Exit,
-    pub(super) report: Report,
+    /// None where nothing was folded, which is not done where a report is asked for.
+    pub(super) report: Option<Report>,
     pub(super) told: Told,
 }
 
@@ -39,12 +40,15 @@ pub(super) fn fold(input: &Input, targets: &[Target], settings: &Settings, obser
         // Nobody reads standard output any more: that is the reader's business.
         Err(Error::Io { path, source }) if path == "-" && source.kind() == std::io::ErrorKind::BrokenPipe => {
             let error = source.to_string();
-            Finished { exit: Exit::Done, report: Report::Refused { input: told.input.clone(), error }, told }
+            let outputs = std::mem::take(&mut told.written);
+            let report = Report::Refused { input: told.input.clone(), error, outputs };
+            Finished { exit: Exit::Done, report: Some(report), told }
         }
         Err(error) => {
             told.errors.push(input.describe(&error));
-            let report = Report::Refused { input: input.to_string(), error: error.to_string() };
-            Finished { exit: Exit::BadInput, report, told }
+            let outputs = std::mem::take(&mut told.written);
+            let report = Report::Refused { input: input.to_string(), error: error.to_string(), outputs };
+            Finished { exit: Exit::BadInput, report: Some(report), told }
         }
     }
 }
@@ -55,7 +59,7 @@ fn attempt(
     settings: &Settings,
     observe: &mut dyn FnMut(Seen),
     told: &mut Told,
-) -> Result<(Exit, Report), Error> {
+) -> Result<(Exit, Option<Report>), Error> {
     let mut watch = Stopwatch::start();
     let mut seconds = Seconds::default();
     let document = input.read()?;
@@ -67,7 +71,19 @@ fn attempt(
     let template = Template::new(&document, index, &pattern)?;
     drop(document);
     let model = Model::new(&pattern, &settings.material)?;
+    check_room(settings, &model)?;
+    for target in targets {
+        let states = settings.stages_of(target.format);
+        let style = settings.style.as_ref();
+        style.map_or(Ok(()), |style| draw::check_drawable(target.format, style, &pattern, &model, states))?;
+    }
     seconds.build = watch.lap();
+    // A picture of the pattern needs no folding.
+    if !settings.reported && targets.iter().all(|target| target.format == Format::Svg) {
+        draw_pattern(targets, settings, (&template, &pattern, &model))?;
+        told.summary = Some(summary::not_folded(input, seconds.read + seconds.build + watch.lap()));
+        return Ok((Exit::Done, None));
+    }
 
     let computer = settings.backend.choose(&settings.method, model.node_count());
     let mut warnings =
@@ -75,9 +91,16 @@ fn attempt(
     told.warnings.extend(warnings.iter().cloned().chain(computer.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
     let scene = SceneFacts::new(&pattern, &model, &computer.solver.inventory(&model), &warnings);
-    let solved = fold_path(&model, computer.solver.as_ref(), &settings.percents, &mut |stage, progress| {
-        observe(Seen::Stage(stage, progress));
-        ControlFlow::Continue(())
+    let mut path = |percents: &[f64], before: usize| {
+        fold_path(&model, computer.solver.as_ref(), percents, &mut |stage, progress| {
+            observe(Seen::Stage(before + stage, progress));
+            ControlFlow::Continue(())
+        })
+    };
+    // What stands beside a contact sheet is folded as if that were not asked for.
+    let solved = path(&settings.percents, 0).and_then(|states| {
+        let stages = settings.sheet_percents.as_deref().map(|stages| path(stages, states.len())).transpose()?;
+        Ok((states, stages))
     });
     seconds.solve = watch.lap();
     let on_gpu = computer.adapter.is_some();
@@ -95,13 +118,14 @@ fn attempt(
         outputs: Vec::new(),
         seconds,
     };
-    let states = match solved {
-        Ok(states) => states,
+    let (states, stages) = match solved {
+        Ok(solved) => solved,
         Err(failed) => {
             let Failed::Diverged(diverged) = &failed.failed else {
                 told.errors.push(format!("{input}: {failed}"));
                 let error = failed.to_string();
-                return Ok((Exit::BadInput, Report::Refused { input: input.to_string(), error }));
+                let report = Report::Refused { input: input.to_string(), error, outputs: Vec::new() };
+                return Ok((Exit::BadInput, Some(report)));
             };
             run.measured = Measured {
                 percent: failed.percent,
@@ -115,7 +139,7 @@ fn attempt(
             let held = failed.states.iter().map(|folded| Measured::new(&model, folded));
             run.frames = settings.animated.then(|| held.collect());
             told.errors.push(format!("{input}: {failed}; {}", settings.advice()));
-            return Ok((Exit::Diverged, Report::Folded(Box::new(run))));
+            return Ok((Exit::Diverged, Some(Report::Folded(Box::new(run)))));
         }
     };
 
@@ -140,8 +164,12 @@ fn attempt(
         artist: &artist,
         fps: settings.film.fps,
     };
+    let contact = Sheet { states: stages.as_deref().unwrap_or(&states), ..sheet };
     for target in targets {
-        run.outputs.extend(write(target, &sheet, settings, observe)?);
+        let sheet = if target.format == Format::Contact { &contact } else { &sheet };
+        let written = write(target, sheet, settings, observe)?;
+        told.written.extend_from_slice(&written);
+        run.outputs.extend(written);
         let seconds = watch.lap();
         *(if target.format.is_drawn() { &mut drawing } else { &mut run.seconds.write }) += seconds;
     }
@@ -155,11 +183,36 @@ fn attempt(
     }
 
     told.summary = Some(summary::line(&run));
-    let limited = states.iter().find(|folded| folded.stop == Stop::StepLimit);
+    let limited = states.iter().chain(stages.iter().flatten()).find(|folded| folded.stop == Stop::StepLimit);
     if let Some(folded) = limited {
         told.errors.push(summary::not_converged(input, folded, settings.solver_name, settings.tolerance));
     }
-    Ok((if limited.is_some() { Exit::NotConverged } else { Exit::Done }, Report::Folded(Box::new(run))))
+    let exit = if limited.is_some() { Exit::NotConverged } else { Exit::Done };
+    Ok((exit, Some(Report::Folded(Box::new(run)))))
+}
+
+/// Places of vertices that all states of an input may have together: some gigabytes.
+const MOST_PLACES: usize = 1 << 26;
+
+/// Whether memory holds all states.
+fn check_room(settings: &Settings, model: &Model) -> Result<(), Error> {
+    let (stages, nodes) = (settings.stages(), model.node_count().max(1));
+    if stages <= MOST_PLACES / nodes || stages == 1 {
+        return Ok(());
+    }
+    let problem = format!("{stages} states of {nodes} vertices are more than can be held");
+    Err(Error::invalid("--frames", problem, format!("at most {} states", MOST_PLACES / nodes)))
+}
+
+/// Draws nothing but the pattern.
+fn draw_pattern(
+    targets: &[Target],
+    settings: &Settings,
+    (template, pattern, model): (&Template, &CreasePattern, &Model),
+) -> Result<(), Error> {
+    let artist = Artist::new(settings.style.clone().unwrap_or_default(), None);
+    let sheet = Sheet { template, pattern, model, states: &[], animated: false, artist: &artist, fps: None };
+    targets.iter().try_for_each(|target| files::write(target, &sheet))
 }
 
 /// Writes one target and says which files it is.
@@ -173,6 +226,7 @@ fn write(
         let states = sheet.states_of(Format::Film);
         let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
         let mut drawn = |drawn, of| observe(Seen::Pictures(drawn, of));
+        files::make_folder(target)?;
         return draw::film(sheet.artist, subject, settings.film, path, &mut drawn);
     }
     files::write(target, sheet)?;

@@ -73,14 +73,19 @@ pub(crate) fn of_picture(args: &PictureArgs, drawn: &[Drawn]) -> Vec<String> {
         let given = *args != PictureArgs::default();
         return given.then(|| "options of pictures have no effect: none is asked for".to_owned()).into_iter().collect();
     }
-    let mut names: Vec<&str> = drawn.iter().map(|drawn| drawn.name()).collect();
-    names.dedup();
+    let mut names: Vec<&str> = Vec::new();
+    for name in drawn.iter().map(|drawn| drawn.name()) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
     let idle = args.given().filter(|option| !drawn.iter().any(|drawn| drawn.heeds(option)));
     let mut oddities: Vec<String> =
         idle.map(|option| format!("{option} has no effect on {}", names.join(" and "))).collect();
     let without_map = args.idle_of_maps().filter(|option| drawn.iter().any(|drawn| drawn.heeds(option)));
     oddities.extend(without_map.map(|name| format!("{name} has no effect without --map or --strain")));
-    if let (Some([width, height]), true) = (args.size, drawn.contains(&Drawn::Svg))
+    let only_svg = drawn.iter().all(|drawn| !matches!(drawn, Drawn::Sheet | Drawn::Pattern));
+    if let (Some([width, height]), true) = (args.size, only_svg && drawn.contains(&Drawn::Svg))
         && width != height
     {
         let longer = width.max(height);

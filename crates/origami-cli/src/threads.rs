@@ -6,10 +6,9 @@ use std::thread::available_parallelism;
 /// As many as ever, whatever the number of processors: starting threads takes the square of their number.
 const MOST: usize = 64;
 
-/// As many as were asked for, or as there are processors; at most [`MOST`] or one for each processor.
+/// As many as were asked for, but at most [`MOST`] or one for each processor; 0 leaves it to rayon.
 pub(crate) fn count(asked: Option<NonZeroUsize>) -> usize {
-    let processors = available_parallelism().map_or(1, usize::from);
-    asked.map_or(processors, |asked| usize::from(asked).min(most()))
+    asked.map_or(0, |asked| usize::from(asked).min(most()))
 }
 
 /// What is odd about the number asked for.

@@ -3,15 +3,24 @@
 use std::fmt::Write;
 
 use clap_complete::Shell;
+use origami::generate::catalog;
 
 use crate::args;
 use crate::console;
 use crate::exit::{Exit, Failure};
 
+/// Fish's condition for the names of patterns.
+const IN_PATTERN: &str = "__fish_origami_using_subcommand pattern";
+
 /// A completion script.
 pub(super) fn completions(shell: Shell) -> Result<Exit, Failure> {
     let mut text = Vec::new();
     clap_complete::generate(shell, &mut args::definition(), "origami", &mut text);
+    if shell == Shell::Fish {
+        // What is generated for fish has the values of options alone.
+        let names = catalog::names().join(" ");
+        text.extend(format!("complete -c origami -n \"{IN_PATTERN}\" -f -a \"{names}\"\n").into_bytes());
+    }
     console::print(&text)?;
     Ok(Exit::Done)
 }

@@ -75,7 +75,7 @@ fn other_settings_or_patterns_are_not_gone_on_with() {
     for (words, setting) in [
         ("sweep square.fold --percent 0,50,99 -o out", "percents [0.0,50.0,100.0], not [0.0,50.0,99.0]"),
         ("sweep square.fold --percent 0,50,100 --k-fold 1 -o out", "k_fold [0.7], not [1.0]"),
-        ("sweep square.fold --percent 0,50,100 --tolerance 1e-5 -o out", "tolerance 0.0001, not 1e-5"),
+        ("sweep square.fold --percent 0,50,100 --tolerance 1e-3 -o out", "tolerance 0.0001, not 0.001"),
         ("sweep square.fold --percent 0,50,100 --solver dynamics -o out", "solver \"relax\", not \"dynamics\""),
         ("sweep square.fold --percent 0,50,100 --folded stl -o out", "folded [], not [\"stl\"]"),
         ("sweep other.fold --percent 0,50,100 -o out", "pattern "),

@@ -45,6 +45,10 @@ fn bad_usage_is_1_and_names_what_is_wrong() {
         ("fold square.fold -o a.fold --line-width 1000", "--line-width 1000: expected a number from 0.05 to 50"),
         ("fold squar.fold -o a.fold", "squar.fold: No such file or directory (os error 2); perhaps square.fold"),
         ("pattern miurra -o a.fold", "miurra: is not known, perhaps miura; expected "),
+        (
+            "pattern miura --set colums=6 -o a.fold",
+            "expected one of columns, rows, a, b, gamma, theta; perhaps columns",
+        ),
         ("pattern fan --set valence=16000000 -o a.fold", "parameter valence: is 16000000, too large a sheet"),
         ("fold square.fold -o a.fold --report ./a.fold", "expected different ones"),
         ("fold square.fold -o a.fold --perturbation 2", "a number from 0 to 1"),

@@ -32,7 +32,9 @@ pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     files::refuse_unwritable(paths(&outputs))?;
     files::tidy(paths(&outputs));
     let style = Style::new(&args.picture)?;
-    let backend = Backend::new(args.backend, args.adapter.as_deref())?;
+    // Without a word the processor draws.
+    let wanted = if args.backend == BackendName::Auto { BackendName::Cpu } else { args.backend };
+    let backend = Backend::new(wanted, args.adapter.as_deref())?;
     let told = |error| input.describe(&error);
     let lying = Lying::read(&input, args.frame).map_err(told)?;
     if !args.quiet {

@@ -223,6 +223,7 @@ impl Newton {
         descent.begin(self.max_steps);
         let (reached, steps, attempts) = match &self.relax {
             Some(relax) => {
+                let relax = Relax { max_steps: relax.max_steps.min(self.max_steps), ..relax.clone() };
                 let near = relax.fold(model, start, scene, observe)?;
                 if near.stop == Stop::Cancelled {
                     return Ok(near);

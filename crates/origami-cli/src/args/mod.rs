@@ -12,11 +12,12 @@ mod picture;
 mod render;
 mod study;
 mod sweep;
+mod usage;
 mod values;
 
 pub(crate) use adapters::AdaptersArgs;
 pub(crate) use fold::{
-    ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs,
+    ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs, is_named,
 };
 pub(crate) use info::InfoArgs;
 #[cfg(feature = "render")]
@@ -31,6 +32,7 @@ pub(crate) use study::StudyArgs;
 #[cfg(feature = "study")]
 pub(crate) use study::{StudyBackend, StudyName};
 pub(crate) use sweep::SweepArgs;
+pub(crate) use usage::message;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
@@ -43,7 +45,6 @@ use clap_complete::Shell;
     bin_name = "origami",
     version,
     max_term_width = 100,
-    disable_help_subcommand = true,
     after_help = EXAMPLES
 )]
 pub(crate) struct Cli {
@@ -83,6 +84,8 @@ pub(crate) enum Command {
     /// Write the manual page to standard output.
     #[command(after_help = "Example:\n  origami man > origami.1 && man ./origami.1")]
     Man,
+    /// Tell the version.
+    Version,
 }
 
 /// The definition of the whole command line.

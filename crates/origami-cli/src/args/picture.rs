@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use super::look::{Ground, LineSet};
-use super::values::{finite, positive, size};
+use super::values::{finite, line_width, positive, size};
 
 /// Options of pictures. What is not given is the library's default.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
@@ -55,8 +55,8 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "MVBFCU|all|none", value_parser = edges)]
     pub(crate) edges: Option<LineSet>,
 
-    /// Make lines wider or thinner; 1 is as the theme has them
-    #[arg(long, value_name = "X", value_parser = positive)]
+    /// Make lines wider or thinner, 0.05 to 50; 1 is as the theme has them
+    #[arg(long, value_name = "X", value_parser = line_width)]
     pub(crate) line_width: Option<f64>,
 
     /// Show strain as colours: the same as --map strain
@@ -88,6 +88,31 @@ impl PictureArgs {
     /// What is to be mapped.
     pub(crate) fn quantity(&self) -> Option<MapName> {
         self.map.or(self.strain.then_some(MapName::Strain))
+    }
+
+    /// All options that are given.
+    pub(crate) fn given(&self) -> impl Iterator<Item = &'static str> {
+        let given = [
+            ("--size", self.size.is_some()),
+            ("--samples", self.samples.is_some()),
+            ("--camera", self.camera.is_some()),
+            ("--azimuth", self.azimuth.is_some()),
+            ("--elevation", self.elevation.is_some()),
+            ("--roll", self.roll.is_some()),
+            ("--zoom", self.zoom.is_some()),
+            ("--perspective", self.perspective.is_some()),
+            ("--theme", self.theme.is_some()),
+            ("--background", self.background.is_some()),
+            ("--edges", self.edges.is_some()),
+            ("--line-width", self.line_width.is_some()),
+            ("--strain", self.strain),
+            ("--map", self.map.is_some()),
+            ("--colours", self.colours.is_some()),
+            ("--clip", self.clip.is_some()),
+            ("--no-legend", self.no_legend),
+            ("--caption", self.caption.is_some()),
+        ];
+        given.into_iter().filter(|(_, given)| *given).map(|(name, _)| name)
     }
 
     /// Options of maps that are given without a map.

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::values::index;
 use super::{ADAPTER_VARIABLE, BackendName, PictureArgs};
 
 const EXAMPLES: &str = "\
@@ -34,7 +35,7 @@ pub(crate) struct RenderArgs {
     pub(crate) outputs: Vec<PathBuf>,
 
     /// Which frame of the input to draw: 0 is the key frame [default: the first with vertex positions]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = index)]
     pub(crate) frame: Option<usize>,
 
     /// As what [default: pattern for what is flat and no folded form, else sheet]

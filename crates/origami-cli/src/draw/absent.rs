@@ -43,6 +43,16 @@ pub(crate) fn check_contact(_style: &Style, _states: usize) -> Result<(), String
     Ok(())
 }
 
+pub(crate) fn check_drawable(
+    _format: Format,
+    _style: &Style,
+    _pattern: &CreasePattern,
+    _model: &origami::Model,
+    _states: usize,
+) -> Result<(), Error> {
+    Ok(())
+}
+
 pub(crate) fn check_film(_path: &Path) -> Result<(), String> {
     Ok(())
 }

@@ -6,7 +6,7 @@ use origami::picture::{Figure, Image, Picture};
 use origami::{CreasePattern, Error};
 
 use super::{Artist, Style, Subject, still};
-use crate::numbers::plain;
+use crate::numbers;
 
 /// Pixels of each part, where no size is asked for.
 pub(super) const SIZE: [u32; 2] = [480, 384];
@@ -52,7 +52,7 @@ pub(super) fn contact(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Wr
     let clip = style.clip(subject);
     let mut figure = Figure::new(subject.pattern, subject.model, &first.positions);
     let captioned =
-        |percent: f64| Picture { caption: caption(&picture, &format!("{} %", plain(percent))), ..picture.clone() };
+        |percent: f64| Picture { caption: caption(&picture, &numbers::percent(percent)), ..picture.clone() };
     style.mapped(&mut figure, subject, first, clip);
     let points = subject.states.iter().flat_map(|(_, state)| &state.positions);
     let view = captioned(0.0).view(&figure, points.map(|p| p.to_array().map(|x| x as f32)))?;

@@ -5,6 +5,8 @@ mod absent;
 #[cfg(feature = "render")]
 mod artist;
 #[cfg(feature = "render")]
+mod beforehand;
+#[cfg(feature = "render")]
 mod contact;
 #[cfg(feature = "render")]
 mod film;
@@ -22,6 +24,7 @@ pub(crate) use absent::*;
 #[cfg(feature = "render")]
 pub(crate) use {
     artist::Artist,
+    beforehand::check_drawable,
     film::film,
     formats::{pattern, sheet},
     limits::{check_contact, check_film},

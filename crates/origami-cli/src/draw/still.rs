@@ -8,7 +8,7 @@ use origami::{CreasePattern, Error};
 use super::{Artist, Subject};
 
 /// Pixels of a picture of its own.
-const SIZE: [u32; 2] = [1000, 800];
+pub(super) const SIZE: [u32; 2] = [1000, 800];
 
 /// The last state as PNG.
 pub(super) fn png(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
@@ -49,7 +49,7 @@ pub(super) fn svg(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Wri
     writer.write_all(svg.as_bytes()).map_err(|source| Error::Io { path: "-".into(), source })
 }
 
-fn refuse_bent(pattern: &CreasePattern) -> Result<(), Error> {
+pub(super) fn refuse_bent(pattern: &CreasePattern) -> Result<(), Error> {
     if pattern.is_flat() {
         return Ok(());
     }

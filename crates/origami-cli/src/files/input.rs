@@ -8,6 +8,7 @@ use origami::Error;
 use origami::fold::Document;
 
 use super::read;
+use crate::nearest::nearest_file;
 
 /// Where a pattern comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,6 +52,13 @@ impl Input {
     /// An error in it, as a person is told; those of the system name the file already.
     pub(crate) fn describe(&self, error: &Error) -> String {
         match error {
+            Error::Io { source, .. } if source.kind() == io::ErrorKind::NotFound => match self {
+                Self::File(path) if !path.exists() => match nearest_file(path) {
+                    Some(other) => format!("{error}; perhaps {other}"),
+                    None => error.to_string(),
+                },
+                _ => error.to_string(),
+            },
             Error::Io { .. } => error.to_string(),
             _ => format!("{self}: {error}"),
         }

@@ -4,6 +4,8 @@ mod one;
 mod queue;
 mod summary;
 
+use std::path::Path;
+
 use rayon::prelude::*;
 
 use crate::args::FoldArgs;
@@ -11,9 +13,11 @@ use crate::console;
 use crate::draw;
 use crate::exit::{Exit, Failure};
 use crate::files::{self, Destination, Format, Input, Target};
+use crate::oddities;
 use crate::progress::ProgressLine;
 use crate::report::{self, Report};
-use crate::settings::{self, Settings};
+use crate::settings::Settings;
+use crate::threads;
 
 use one::{Finished, Seen};
 use queue::Queue;
@@ -22,15 +26,20 @@ use queue::Queue;
 pub(super) fn run(args: &FoldArgs) -> Result<Exit, Failure> {
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::new(path)).collect();
     let targets = plan(args, &inputs)?;
-    let drawn = targets.iter().flatten().any(|target| target.format.is_drawn());
+    let mut formats: Vec<Format> = targets.iter().flatten().map(|target| target.format).collect();
+    formats.dedup();
+    let drawn = formats.iter().any(|format| format.is_drawn());
     let settings = Settings::new(args, drawn)?;
     if let (Some(style), Some(_)) = (&settings.style, &args.sheet) {
-        draw::check_contact(style, settings.percents.len())?;
+        draw::check_contact(style, settings.stages_of(Format::Contact))?;
     }
     let report_to = args.report.as_deref().map(Destination::new);
     check_streams(&inputs, &targets, report_to.as_ref())?;
+    files::refuse_replaced(&inputs, targets.iter().flatten())?;
+    files::refuse_unwritable(paths(&targets, report_to.as_ref()))?;
+    files::tidy(paths(&targets, report_to.as_ref()));
     if !args.quiet {
-        settings::oddities(args, drawn).iter().for_each(console::warning);
+        oddities::of_fold(args, &formats).iter().for_each(console::warning);
         warn_of_single_stages(args, &targets);
     }
 
@@ -43,11 +52,20 @@ pub(super) fn run(args: &FoldArgs) -> Result<Exit, Failure> {
 
     let exit = finished.iter().map(|f| f.exit).max().unwrap_or(Exit::Done);
     if let Some(destination) = report_to {
-        let reports: Vec<Report> = finished.into_iter().map(|f| f.report).collect();
+        let reports: Vec<Report> = finished.into_iter().filter_map(|f| f.report).collect();
         write_report(&destination, &reports)?;
     }
     queue.result()?;
     Ok(exit)
+}
+
+/// All files that are named or planned.
+fn paths<'a>(targets: &'a [Vec<Target>], report: Option<&'a Destination>) -> impl Iterator<Item = &'a Path> {
+    let targets = targets.iter().flatten().map(|target| &target.destination);
+    targets.chain(report).filter_map(|destination| match destination {
+        Destination::File(path) => Some(path.as_path()),
+        Destination::Stdout => None,
+    })
 }
 
 /// Which files are written.
@@ -79,11 +97,11 @@ fn fold_all(
     line: &ProgressLine,
     queue: &Queue<'_>,
 ) -> Result<Vec<Finished>, Failure> {
-    let stages = settings.percents.len();
+    let way = settings.way(settings.stages());
     let fold = |(i, (input, targets)): (usize, (&Input, &Vec<Target>))| {
         let mut observe = |seen| match seen {
             _ if inputs.len() > 1 => {}
-            Seen::Stage(stage, progress) => line.show(stage, stages, progress),
+            Seen::Stage(stage, progress) => line.show(stage, way, progress),
             Seen::Pictures(drawn, of) => line.show_pictures(drawn, of),
         };
         let mut finished = one::fold(input, targets, settings, &mut observe);
@@ -95,7 +113,7 @@ fn fold_all(
     };
     if let Some(threads) = args.threads {
         // A single sheet is shared out among the threads of the global pool.
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads::count(Some(threads))).build_global();
         pool.map_err(|error| format!("cannot start threads: {error}"))?;
     }
     if inputs.len() == 1 {

@@ -17,6 +17,14 @@ pub(super) struct Told {
     pub(super) warnings: Vec<Warning>,
     pub(super) errors: Vec<String>,
     pub(super) summary: Option<String>,
+    /// Files, as long as there is no report that has them.
+    pub(super) written: Vec<String>,
+}
+
+/// Where only the crease pattern is drawn.
+pub(super) fn not_folded(input: &Input, seconds: f64) -> String {
+    let time = duration(Duration::from_secs_f64(seconds));
+    format!("{input}: the crease pattern is drawn, and nothing is folded, {time}")
 }
 
 /// Such as `bird.fold: folded to 90 % in 1 240 steps, converged (distance 3.0e-5 of the radius), strain mean 0.41 %

@@ -2,6 +2,7 @@
 
 mod lying;
 
+use std::path::Path;
 use std::time::Duration;
 
 use crate::args::{BackendName, RenderArgs, ViewName};
@@ -9,10 +10,11 @@ use crate::backend::Backend;
 use crate::console;
 use crate::draw::{self, Artist, Style, Subject};
 use crate::exit::{Exit, Failure};
-use crate::files::{self, Destination, Format, Input, whole};
+use crate::files::{self, Destination, Format, Input, Target, whole};
 use crate::numbers::duration;
-use crate::settings;
+use crate::oddities::{self, Drawn};
 use crate::stopwatch::Stopwatch;
+use crate::text::plain;
 
 use lying::Lying;
 
@@ -21,12 +23,18 @@ pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     let mut watch = Stopwatch::start();
     let input = Input::new(&args.input);
     let outputs = outputs(args)?;
+    let target = |(destination, format): &(Destination, Format)| Target {
+        destination: destination.clone(),
+        format: *format,
+        folder: None,
+    };
+    files::refuse_replaced(std::slice::from_ref(&input), outputs.iter().map(target).collect::<Vec<_>>().iter())?;
+    files::refuse_unwritable(paths(&outputs))?;
+    files::tidy(paths(&outputs));
     let style = Style::new(&args.picture)?;
-    let backend = Backend::new(args.backend, args.adapter.as_deref())?;
-    if !args.quiet {
-        settings::oddities_of_picture(&args.picture, true).iter().for_each(console::warning);
-    }
-
+    // Without a word the processor draws.
+    let wanted = if args.backend == BackendName::Auto { BackendName::Cpu } else { args.backend };
+    let backend = Backend::new(wanted, args.adapter.as_deref())?;
     let told = |error| input.describe(&error);
     let lying = Lying::read(&input, args.frame).map_err(told)?;
     if !args.quiet {
@@ -40,6 +48,16 @@ pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
         let expected = "a folded form, `--view sheet`, or `origami fold` with --map";
         let problem = "a crease pattern as it lies has nothing to map";
         return Err(format!("{input}: frame {}: {problem}; expected {expected}", lying.frame).into());
+    }
+    if !args.quiet {
+        let drawn: Vec<Drawn> = outputs.iter().map(|(_, format)| drawn_as(*format, as_pattern)).collect();
+        oddities::of_render(args, &drawn).iter().for_each(console::warning);
+    }
+    for (_, format) in &outputs {
+        // A pattern as it lies needs no more than to be flat.
+        let format = if as_pattern && *format == Format::Png { Format::Svg } else { *format };
+        let sheet = if format == Format::Svg { &lying.drawn } else { &lying.pattern };
+        draw::check_drawable(format, &style, sheet, &lying.model, 1).map_err(told)?;
     }
     let state = lying.state(args.picture.quantity()).map_err(told)?;
     let states = [(0.0, &state)];
@@ -66,10 +84,28 @@ pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
         if names.iter().any(|name| name == "-") {
             console::say(&line);
         } else {
-            console::print(format!("{line}\n").as_bytes())?;
+            console::print_text(&format!("{}\n", plain(&line)))?;
         }
     }
     Ok(Exit::Done)
+}
+
+/// What a format shows.
+fn drawn_as(format: Format, as_pattern: bool) -> Drawn {
+    match format {
+        Format::Svg => Drawn::Svg,
+        Format::Glb => Drawn::Glb,
+        _ if as_pattern => Drawn::Pattern,
+        _ => Drawn::Sheet,
+    }
+}
+
+/// Those that are files.
+fn paths(outputs: &[(Destination, Format)]) -> impl Iterator<Item = &Path> {
+    outputs.iter().filter_map(|(destination, _)| match destination {
+        Destination::File(path) => Some(path.as_path()),
+        Destination::Stdout => None,
+    })
 }
 
 /// Where to write, and as what.

@@ -59,6 +59,9 @@ impl<'a> Folder<'a> {
         if file.is_dir() {
             return Err(format!("{shown}: is a folder; expected a file or nothing there"));
         }
+        if !file.is_file() && (file == self.csv() || file == self.json()) {
+            return Err(format!("{shown}: is no file that can grow; expected one or nothing there"));
+        }
         let is = |input: &PathBuf| Destination::File(file.to_owned()).is(&Destination::File(input.clone()));
         if matches!(input, Input::File(input) if is(input)) {
             return Err(format!("{input}: would be replaced by the sweep; expected another folder"));

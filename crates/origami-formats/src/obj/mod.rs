@@ -46,8 +46,6 @@ struct Obj {
 struct Line {
     ends: [u32; 2],
     letter: Option<&'static str>,
-    /// In degrees.
-    angle: Option<f64>,
     /// Where it was written.
     at: usize,
 }

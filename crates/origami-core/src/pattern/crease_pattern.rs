@@ -82,6 +82,8 @@ pub struct CreasePattern {
     pub lost_area: f64,
     /// Oddities of the file that were put right.
     pub warnings: Vec<Warning>,
+    /// For each edge where it was written in a file of another format, such as `line 12`; empty where nothing says it.
+    pub sources: Vec<Box<str>>,
 }
 
 impl CreasePattern {

@@ -22,7 +22,7 @@ use crate::backend::Computer;
 use crate::console;
 use crate::draw::{self, Style};
 use crate::exit::{Exit, Failure};
-use crate::files::{self, Input};
+use crate::files::{self, Input, Reading};
 use crate::numbers::grouped;
 use crate::oddities;
 use crate::progress::ProgressLine;
@@ -45,7 +45,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let (sweep, count) = args.sweep()?;
     let style = args.folded.iter().any(|format| format.is_drawn()).then(|| Style::new(&PictureArgs::default()));
     let style = style.transpose()?;
-    let input = Input::new(&args.input);
+    let input = Input::new(&args.input, &Reading::new(&args.reading)?);
     let folder = Folder::new(&args.output, &args.folded, count, &input)?;
     files::refuse_unwritable([folder.csv(), folder.json()].iter().map(|path| path.as_path()))?;
     files::tidy([folder.csv().as_path()]);

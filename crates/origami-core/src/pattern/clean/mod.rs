@@ -55,14 +55,12 @@ const RANGE: i32 = 100;
 /// The cleaned pattern of a frame.
 pub(super) fn pattern(frame: &Frame, reading: &Reading) -> Result<CreasePattern, Error> {
     let sources = Sources::of(frame);
-    let mut pattern = cleaned(frame, reading).map_err(|error| sources.of_error(error))?;
-    for warning in &mut pattern.warnings {
-        warning.place = sources.of_place(std::mem::replace(&mut warning.place, Place::Frame(0)));
-    }
+    let mut pattern = cleaned(frame, reading, &sources).map_err(|error| sources.of_error(error))?;
+    pattern.warnings.iter_mut().for_each(|warning| sources.of_warning(warning));
     Ok(pattern)
 }
 
-fn cleaned(frame: &Frame, reading: &Reading) -> Result<CreasePattern, Error> {
+fn cleaned(frame: &Frame, reading: &Reading, sources: &Sources) -> Result<CreasePattern, Error> {
     let mut sheet = Sheet::read(frame, reading)?;
     let faces = frame.faces_vertices.as_deref().unwrap_or_default();
     let sides = if faces.is_empty() { sheet.from_lines(frame) } else { with_faces(&mut sheet, frame, reading) }?;
@@ -72,7 +70,8 @@ fn cleaned(frame: &Frame, reading: &Reading) -> Result<CreasePattern, Error> {
     angles::settle(&mut draft, &sides, keys);
     let lost = lost(&mut draft);
     cuts::open(&mut draft, &sides);
-    Ok(finish(draft, sheet.vertices, sheet.in_file, sheet.turn, lost))
+    let sources = sources.of_edges(&draft.edges);
+    Ok(CreasePattern { sources, ..finish(draft, sheet.vertices, sheet.in_file, sheet.turn, lost) })
 }
 
 /// What the file has, before there are faces.
@@ -356,5 +355,6 @@ fn finish(
         joins: draft.joins,
         lost_area,
         warnings: draft.notes.into_warnings(),
+        sources: Vec::new(),
     }
 }

@@ -21,7 +21,9 @@ pub(super) fn of(faces: &[Face]) -> Vec<[DVec2; 2]> {
 fn cut(face: &[Corner]) -> Vec<[usize; 2]> {
     let count = face.len();
     if !(4..=MOST).contains(&count) {
-        if count > MOST { eprintln!("MANY {count}"); }
+        if count > MOST {
+            eprintln!("MANY {count}");
+        }
         return Vec::new();
     }
     let low = face.iter().fold(DVec2::INFINITY, |low, corner| low.min(corner.at));
@@ -64,7 +66,14 @@ fn cut(face: &[Corner]) -> Vec<[usize; 2]> {
         }
         let k = third[i * count + j];
         if k == usize::MAX {
-            if found.is_empty() && count < 71 { eprintln!("FAIL {count} at {i} {j}: {:?}", face.iter().map(|c| (c.at.x, c.at.y, c.tangent.is_some())).collect::<Vec<_>>()); } else { eprintln!("FAIL {count} {i} {j}"); }
+            if found.is_empty() && count < 71 {
+                eprintln!(
+                    "FAIL {count} at {i} {j}: {:?}",
+                    face.iter().map(|c| (c.at.x, c.at.y, c.tangent.is_some())).collect::<Vec<_>>()
+                );
+            } else {
+                eprintln!("FAIL {count} {i} {j}");
+            }
             return Vec::new();
         }
         for part in [[i, k], [k, j]] {

@@ -14,7 +14,7 @@ pub(crate) struct ReadingArgs {
     /// For SVG, and for lines of DXF and OBJ that have a colour. CSS colours, letters of FOLD; `none` is left out. What the
     /// table does not name follows the default.
     #[arg(long, value_name = "TABLE")]
-    pub(crate) colours: Option<String>,
+    pub(crate) letters: Option<String>,
 
     /// How far straight pieces may be from a curve, in the file's unit [default: a share of the pattern's size]
     #[arg(long, value_name = "LENGTH", value_parser = positive)]

@@ -27,8 +27,9 @@ impl Reading {
     /// What is wrong with them.
     pub(crate) fn new(args: &ReadingArgs) -> Result<Self, String> {
         let mut options = origami::formats::Options::default();
-        if let Some(colours) = &args.colours {
-            options.colours = colours.parse().map_err(|error: Error| format!("--{error}"))?;
+        if let Some(colours) = &args.letters {
+            options.colours =
+                colours.parse().map_err(|error: Error| error.to_string().replacen("colours", "--letters", 1))?;
         }
         options.curve_tolerance = args.curve_tolerance;
         Ok(Self(options))

@@ -5,6 +5,7 @@ mod attitude;
 mod batch;
 mod dangers;
 mod fold;
+mod formats;
 mod gpu;
 mod help;
 mod info;

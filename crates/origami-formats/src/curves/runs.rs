@@ -73,7 +73,7 @@ pub(super) fn of(strokes: &[Stroke], tolerance: f64) -> Result<Vec<Run>, Error> 
     for (stroke, drawn) in strokes.iter().enumerate() {
         let mut end = None;
         for segment in &drawn.path {
-            let start = vector(segment.start());
+            let start = vector(ends(segment)[0]);
             let count = pieces(segment, tolerance);
             let curved = count > 1;
             let goes_on =
@@ -94,7 +94,7 @@ pub(super) fn of(strokes: &[Stroke], tolerance: f64) -> Result<Vec<Run>, Error> 
                 }
             }
             run.nodes.extend((1..=count).map(|i| Node {
-                at: vector(if i == count { segment.end() } else { segment.eval(i as f64 / count as f64) }),
+                at: vector(if i == count { ends(segment)[1] } else { segment.eval(i as f64 / count as f64) }),
                 kept: i == count,
             }));
             run.nodes.dedup_by(|next, before| {
@@ -102,7 +102,7 @@ pub(super) fn of(strokes: &[Stroke], tolerance: f64) -> Result<Vec<Run>, Error> 
                 before.kept |= same && next.kept;
                 same
             });
-            end = Some(vector(segment.end()));
+            end = Some(vector(ends(segment)[1]));
             total += count;
             if total > MOST {
                 let problem = format!("needs more than {MOST} pieces of the curves");
@@ -118,6 +118,15 @@ pub(super) fn of(strokes: &[Stroke], tolerance: f64) -> Result<Vec<Run>, Error> 
 /// The cosine of the turn between fine pieces above which they are one curve: 10 degrees.
 const SMOOTH: f64 = 0.985;
 
+/// Where a segment begins and ends, as it is written: to evaluate it there rounds.
+fn ends(segment: &PathSeg) -> [Point; 2] {
+    match segment {
+        PathSeg::Line(line) => [line.p0, line.p1],
+        PathSeg::Quad(quad) => [quad.p0, quad.p2],
+        PathSeg::Cubic(cubic) => [cubic.p0, cubic.p3],
+    }
+}
+
 /// Fine pieces of a segment; 1 if it is as good as straight.
 fn pieces(segment: &PathSeg, tolerance: f64) -> usize {
     let (bend, away) = match segment {
@@ -129,7 +138,7 @@ fn pieces(segment: &PathSeg, tolerance: f64) -> usize {
             (6.0 * at_start.hypot().max(at_end.hypot()), vec![c.p1, c.p2])
         }
     };
-    let (from, to) = (vector(segment.start()), vector(segment.end()));
+    let (from, to) = (vector(ends(segment)[0]), vector(ends(segment)[1]));
     // Control points on the chord: drawing programs write lines as curves.
     let along = (to - from).normalize_or_zero();
     let straight = away.into_iter().map(vector).all(|control| {

@@ -95,7 +95,7 @@ mod with {
         let ran = place.run("fold a.cp -o a.fold --percent 150 --report r.json --steps 1 --ramp 0");
         for told in [
             "line 5, edges_vertices[4]: crosses edges_vertices[5] (line 6); both get a vertex there",
-            "warning: creases 0-4 (line 5), 1-4 (line 6)",
+            "warning: creases 4-0 (line 5), 1-4 (line 6), ",
         ] {
             assert!(ran.stderr.contains(told), "expected {told:?} in {}", ran.stderr);
         }

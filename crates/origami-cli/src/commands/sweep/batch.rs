@@ -45,15 +45,6 @@ struct Batch<'a> {
     taken: usize,
 }
 
-impl Known {
-    fn diverged(&mut self, index: usize, message: Option<String>) {
-        let Some(message) = message else { return };
-        if self.first_divergence.as_ref().is_none_or(|(first, _)| index < *first) {
-            self.first_divergence = Some((index, message));
-        }
-    }
-}
-
 /// What is known of all sheets.
 #[derive(Default)]
 pub(super) struct Known {
@@ -62,6 +53,15 @@ pub(super) struct Known {
     /// What is dangerous about them, each once.
     pub(super) scene_warnings: Vec<Warning>,
     inventories: Vec<Inventory>,
+}
+
+impl Known {
+    fn diverged(&mut self, index: usize, message: Option<String>) {
+        let Some(message) = message else { return };
+        if self.first_divergence.as_ref().is_none_or(|(first, _)| index < *first) {
+            self.first_divergence = Some((index, message));
+        }
+    }
 }
 
 impl Work<'_> {

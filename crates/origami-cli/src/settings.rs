@@ -1,10 +1,11 @@
 //! From the command line to what the library wants.
 
+use origami::measure::attitude::Hold;
 use origami::model::{Material, Model};
 #[cfg(feature = "newton")]
 use origami::solve::Newton;
 use origami::solve::{Dynamics, Integrator, Precision, Relax, TimeStep, frame_percents, time_step};
-use origami::{Warning, measure};
+use origami::{CreasePattern, Warning, measure};
 
 use crate::args::{BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs};
 use crate::backend::{Backend, Method};
@@ -34,6 +35,8 @@ pub(crate) struct Settings {
     pub(crate) style: Option<Style>,
     /// What films are like.
     pub(crate) film: Film,
+    /// What keeps its place.
+    pub(crate) hold: Hold,
     /// What the sheet is made of.
     pub(crate) material: Material,
     /// As on the command line.
@@ -73,6 +76,7 @@ impl Settings {
             reported: args.report.is_some(),
             style: drawn.then(|| Style::new(&args.picture)).transpose()?,
             film: Film { turntable: args.turntable, fps: args.fps },
+            hold: args.hold.unwrap_or_default(),
             material: args.material.material(),
             solver_name: solving.solver,
             method: method(solving, args.perturbation)?,
@@ -259,8 +263,14 @@ impl SolvingArgs {
 }
 
 /// What is dangerous about folding `model` so far. On a GPU, which computes in single precision, the tolerance counts too.
-pub(crate) fn scene_warnings(model: &Model, percents: &[f64], on_gpu: Option<f64>) -> Vec<Warning> {
+pub(crate) fn scene_warnings(
+    pattern: &CreasePattern,
+    model: &Model,
+    percents: &[f64],
+    on_gpu: Option<f64>,
+) -> Vec<Warning> {
     let mut warnings = measure::scene_warnings(model, percents);
     warnings.extend(on_gpu.and_then(|tolerance| measure::single_precision(model, tolerance)));
+    warnings.iter_mut().for_each(|warning| pattern.name_sources(warning));
     warnings
 }

@@ -76,7 +76,7 @@ fn stl_holds_each_triangle_with_its_normal() {
     let positions = [DVec3::ZERO, DVec3::X * 2.0, DVec3::Y * 3.0, DVec3::new(0.5, 0.25, 4.0)];
     let triangles = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2], [0, 0, 1]];
     let mut bytes = Vec::new();
-    write_stl(&mut bytes, &positions, &triangles).expect("written");
+    assert_eq!(write_stl(&mut bytes, &positions, &triangles).expect("written"), None, "it lies near the origin");
     assert_eq!(bytes.len(), 84 + 50 * triangles.len());
     assert!(!bytes.starts_with(b"solid"));
     assert_eq!(bytes[80..84], 5u32.to_le_bytes());
@@ -109,4 +109,30 @@ fn stl_refuses_what_it_cannot_hold() {
     }
     // Positions that no triangle uses do not matter.
     assert!(write_stl(Vec::new(), &[DVec3::ZERO, DVec3::NAN], &[[0, 0, 0]]).is_ok());
+}
+
+/// The area of all triangles, as read.
+fn area(stl: &[u8]) -> f64 {
+    let number = |bytes: &[u8]| f64::from(f32::from_le_bytes(bytes.try_into().expect("four bytes")));
+    let area = |triangle: &[u8]| {
+        let numbers: Vec<f64> = triangle[12..48].chunks(4).map(number).collect();
+        let [a, b, c] = [0, 3, 6].map(|i| DVec3::from_slice(&numbers[i..]));
+        0.5 * (b - a).cross(c - a).length()
+    };
+    stl[84..].chunks(50).map(area).sum()
+}
+
+#[test]
+fn stl_of_a_sheet_far_from_the_origin_is_moved_there_and_says_so() {
+    let corners = [DVec3::ZERO, DVec3::X * 2.0, DVec3::new(2.0, 1.0, 0.0), DVec3::Y];
+    for far in [0.0, 150.0, 250.0, 1e6, 1e9] {
+        let offset = DVec3::new(far, far, 0.0);
+        let mut bytes = Vec::new();
+        let moved = write_stl(&mut bytes, &corners.map(|p| p + offset), &[[0, 1, 2], [0, 2, 3]]).expect("written");
+        assert_eq!(moved, (far > 200.0).then(|| -offset - DVec3::new(1.0, 0.5, 0.0)), "{far}");
+        assert!((area(&bytes) - 2.0).abs() < 1e-4, "{far}: {}", area(&bytes));
+    }
+    let small = corners.map(|p| p * 1e-30);
+    let error = write_stl(Vec::new(), &small, &[[0, 1, 2]]).expect_err("nothing is left of it").to_string();
+    assert!(error.contains("the sheet is 2e-30 large; expected at least 1e-18"), "{error}");
 }

@@ -1,6 +1,8 @@
 //! Reads the glTF files that we write with another reader.
 
 use origami_core::generate::catalog;
+use origami_core::glam::DVec3;
+use origami_core::model::Normalisation;
 use origami_core::solve::{fold_path, frame_percents};
 use origami_core::{Material, Model, Relax};
 use origami_picture::{ColourMap, Figure, Glb, LineSet, Map, Quantity};
@@ -96,6 +98,47 @@ fn accessors_are_aligned_and_their_bounds_hold() {
         }
         assert!(reader.read_colors(0).is_some());
     }
+}
+
+/// A sheet of 10 by 20 far off: the reader finds it where the file had it, and a picture lies on its front unmirrored.
+#[test]
+fn lengths_are_the_file_s_and_pictures_lie_on_the_paper() {
+    let mut pattern = catalog::generate("single-crease", &[]).expect("a pattern");
+    let size = pattern.size();
+    let low = pattern.vertices.iter().copied().reduce(DVec3::min).expect("vertices");
+    let high = pattern.vertices.iter().copied().reduce(DVec3::max).expect("vertices");
+    let offset = DVec3::new(3e6, -7e6, 2.0);
+    pattern.vertices.iter_mut().for_each(|p| *p = (*p - low) * (20.0 / size) + offset);
+    let extent = (high - low) * (20.0 / size);
+    let model = Model::new(&pattern, &Material::default()).expect("a model");
+    let mut bytes = Vec::new();
+    Glb::of(&model).write(&Figure::new(&pattern, &model, &model.rest), &[], &mut bytes).expect("written");
+    let file = gltf::Gltf::from_slice(&bytes).expect("valid");
+    let blob = file.blob.as_deref().expect("bytes");
+    let node = file.nodes().next().expect("a node");
+    let (translation, ..) = node.transform().decomposed();
+    let faces = node.mesh().expect("a mesh").primitives().next().expect("faces");
+    let reader = faces.reader(|_| Some(blob));
+    let texture: Vec<[f32; 2]> = reader.read_tex_coords(0).expect("texture").into_f32().collect();
+    let places: Vec<[f32; 3]> = reader.read_positions().expect("positions").collect();
+    let bounds = faces.bounding_box();
+    for (axis, expected) in [(0, extent.x), (1, 0.0), (2, extent.y)] {
+        assert!((f64::from(bounds.max[axis] - bounds.min[axis]) - expected).abs() < 1e-5, "{bounds:?} for {extent}");
+    }
+    // Back to the file's axes: z up.
+    let middle = DVec3::new(f64::from(translation[0]), f64::from(-translation[2]), f64::from(translation[1]));
+    assert!((middle - offset - 0.5 * extent).length() < 1.0, "as near as 32 bits hold it: {middle}");
+    for ([x, _, z], [u, v]) in places.iter().zip(&texture) {
+        let along = [f64::from(*x) + 0.5 * extent.x, 0.5 * extent.y - f64::from(*z)].map(|at| at / 20.0);
+        // v goes down from the top of the picture.
+        assert!((along[0] - f64::from(*u)).abs() < 1e-6 && (along[1] - f64::from(1.0 - *v)).abs() < 1e-6);
+    }
+    let tiny = Glb { placement: Normalisation { radius: 1e-30, ..model.normalisation }, ..Glb::of(&model) };
+    let error = tiny.write(&Figure::new(&pattern, &model, &model.rest), &[], Vec::new()).unwrap_err().to_string();
+    assert!(error.contains("radius 1e-30"), "{error}");
+    let other = Glb { texture: Some(vec![[0.0; 2]]), ..Glb::default() };
+    let error = other.write(&Figure::new(&pattern, &model, &model.rest), &[], Vec::new()).unwrap_err().to_string();
+    assert!(error.starts_with("texture: 1 places; expected "), "{error}");
 }
 
 #[test]

@@ -4,10 +4,12 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use origami::measure::attitude::Hold;
 use origami::solve::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, TimeStep};
 
+use super::hold::hold;
 use super::values::{finite, index, positive, share, steps, threads, time_step, whole};
-use super::{MaterialArgs, PictureArgs};
+use super::{MaterialArgs, PictureArgs, ReadingArgs};
 use crate::files::Format;
 
 const EXAMPLES: &str = "\
@@ -39,13 +41,13 @@ pub(crate) fn is_named(adapter: Option<&str>) -> bool {
 
 /// Fold crease patterns.
 ///
-/// Reads FOLD files, folds each sheet to a percentage of its fold angles and writes the folded form. The units and the
+/// Reads crease patterns, folds each sheet to a percentage of its fold angles and writes the folded form. The units and the
 /// numbering of vertices, edges and faces are those of the input. A line on standard output says whether it converged,
 /// how strained the sheet is and how long it took. Files are written whole or not at all.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, override_usage = "origami fold [OPTIONS] <INPUT>... -o <OUT>")]
 pub(crate) struct FoldArgs {
-    /// FOLD files with crease patterns; `-` is standard input
+    /// Crease patterns: FOLD, CP, OPX, ORI, SVG, OBJ and others; `-` is standard input
     #[arg(value_name = "INPUT", required = true)]
     pub(crate) inputs: Vec<PathBuf>,
 
@@ -101,6 +103,15 @@ pub(crate) struct FoldArgs {
     #[arg(long, value_name = "N", value_parser = index)]
     pub(crate) frame: Option<usize>,
 
+    /// What keeps its place: `sheet`, `none` or the number of a face [default: sheet]
+    ///
+    /// Folding does not say how the folded sheet lies. With `sheet` it lies as near as can be to where it lay before, by
+    /// rotation and translation alone, and flat where it is folded flat; a face stays where it lay itself; with `none` the
+    /// sheet lies where the solver left it. Pictures, films and files have the same. Sheets with fixed vertices are not
+    /// turned, unless by a face that is named here.
+    #[arg(long, value_name = "FACE", value_parser = hold)]
+    pub(crate) hold: Option<Hold>,
+
     /// Write what was built, done and measured as JSON; `-` is standard output
     ///
     /// One object for one input, an array for several. docs/REPORT.md has the keys.
@@ -117,6 +128,10 @@ pub(crate) struct FoldArgs {
     /// Say nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+
+    /// How the input is read.
+    #[command(flatten)]
+    pub(crate) reading: ReadingArgs,
 
     /// The way of solving.
     #[command(flatten)]

@@ -4,12 +4,14 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
+use origami::measure::attitude::Hold;
 use origami::model::{Material, MaterialGrid};
 use origami::solve::{Relax, Sweep};
 
+use super::hold::hold;
 use super::list::List;
 use super::values::{at_least_zero, finite, index, positive, share, threads, whole};
-use super::{SolverName, SolvingArgs};
+use super::{ReadingArgs, SolverName, SolvingArgs};
 use crate::files::Format;
 use crate::numbers::grouped;
 
@@ -53,7 +55,7 @@ Exit codes:
     })
 )]
 pub(crate) struct SweepArgs {
-    /// A FOLD file with a crease pattern; `-` is standard input
+    /// A crease pattern: FOLD, CP, OPX, ORI, SVG, OBJ or another; `-` is standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
 
@@ -78,6 +80,14 @@ pub(crate) struct SweepArgs {
     #[arg(long, value_name = "N", value_parser = index)]
     pub(crate) frame: Option<usize>,
 
+    /// What keeps its place: `sheet`, `none` or the number of a face [default: sheet]
+    ///
+    /// Folding does not say how the folded sheet lies. With `sheet` it lies as near as can be to where it lay before, by
+    /// rotation and translation alone, and flat where it is folded flat; a face stays where it lay itself; with `none` the
+    /// sheet lies where the solver left it. Sheets with fixed vertices are not turned, unless by a face that is named here.
+    #[arg(long, value_name = "FACE", value_parser = hold)]
+    pub(crate) hold: Option<Hold>,
+
     /// How many sheets to fold at once [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = threads)]
     pub(crate) threads: Option<NonZeroUsize>,
@@ -92,6 +102,10 @@ pub(crate) struct SweepArgs {
     /// Say nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+
+    /// How the input is read.
+    #[command(flatten)]
+    pub(crate) reading: ReadingArgs,
 
     /// The way of solving.
     #[command(flatten)]

@@ -75,5 +75,5 @@ pub(super) fn glb(
     let states: Vec<_> = subject.states.iter().map(positions).collect();
     let own = Glb::default().seconds;
     let seconds = fps.map_or(own, |fps| states.len().saturating_sub(1) as f32 / f32::from(fps));
-    Glb { theme, edges, seconds }.write(&figure, &states, writer)
+    Glb { theme, edges, seconds, ..Glb::of(subject.model) }.write(&figure, &states, writer)
 }

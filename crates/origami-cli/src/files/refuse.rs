@@ -12,10 +12,7 @@ use super::{Destination, Input, Target};
 /// # Errors
 /// Which one is.
 pub(crate) fn refuse_replaced<'a>(inputs: &[Input], targets: impl Iterator<Item = &'a Target>) -> Result<(), String> {
-    let identities = inputs.iter().filter_map(|input| match input {
-        Input::File(path) => Identity::of(path),
-        Input::Stdin => None,
-    });
+    let identities = inputs.iter().filter_map(|input| input.file().and_then(Identity::of));
     let identities: BTreeSet<Identity> = identities.collect();
     for target in targets {
         if let Destination::File(path) = &target.destination

@@ -2,17 +2,19 @@
 
 use std::fs;
 
+use origami::error::WarningCode;
 use origami::export::{Pose, Template, write_obj, write_stl, write_whole};
 use origami::fold::Document;
+use origami::glam::DVec3;
 use origami::ids::TriangleId;
 use origami::model::Model;
 use origami::solve::{Folded, State};
-use origami::{CreasePattern, Error};
+use origami::{CreasePattern, Error, Warning};
 
 use super::{Destination, Format, Target};
 use crate::console;
 use crate::draw::{self, Artist, Subject};
-use crate::numbers::percent_of;
+use crate::numbers::{percent_of, plain};
 
 /// Own key: whether the state is within the tolerance of the equilibrium.
 const CONVERGED: &str = "origami:converged";
@@ -50,11 +52,12 @@ impl Sheet<'_> {
     }
 }
 
-/// Writes one file, whole or not at all.
+/// Writes one file, whole or not at all; tells what is not in it as it was asked for.
 ///
 /// # Errors
 /// [`Error::Io`] where the system refuses.
-pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<(), Error> {
+pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<Option<Warning>, Error> {
+    let mut warning = None;
     make_folder(target)?;
     let states = sheet.states_of(target.format);
     let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
@@ -69,19 +72,30 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<(), Error> {
         Format::Film => Ok(()),
         Format::Fold => write_document(&target.destination, &sheet.fold()?),
         Format::Obj => {
-            let Some(last) = sheet.states.last() else { return Ok(()) };
+            let Some(last) = sheet.states.last() else { return Ok(None) };
             let positions = sheet.model.file_positions(sheet.pattern, &last.state.positions);
             whole(&target.destination, |writer| write_obj(writer, sheet.pattern, &positions))
         }
         Format::Stl => {
-            let Some(last) = sheet.states.last() else { return Ok(()) };
+            let Some(last) = sheet.states.last() else { return Ok(None) };
             let points: Vec<_> = last.state.positions.iter().map(|p| sheet.model.normalisation.to_file(*p)).collect();
             let mesh = &sheet.model.mesh;
             let corners = |t: &TriangleId| mesh.triangles[t.index()].map(|n| n.0);
             let triangles: Vec<[u32; 3]> = mesh.triangles_by_face.iter().map(corners).collect();
-            whole(&target.destination, |writer| write_stl(writer, &points, &triangles))
+            whole(&target.destination, |writer| {
+                warning = write_stl(writer, &points, &triangles)?.map(|by| moved(-by));
+                Ok(())
+            })
         }
-    }
+    }?;
+    Ok(warning)
+}
+
+/// That a sheet at `from` was moved to the origin.
+fn moved(from: DVec3) -> Warning {
+    let why = "which its 32 bits cannot hold: it was moved to the origin";
+    let problem = format!("the sheet lies around {} {} {}, {why}", plain(from.x), plain(from.y), plain(from.z));
+    Warning::new(WarningCode::Fallback, "STL", problem)
 }
 
 /// Makes the folder that a file goes into, where one is to be made.

@@ -1,12 +1,14 @@
 //! `--report`: what was built, done and measured, as JSON. docs/REPORT.md documents every key; they stay as they are.
 
 mod adapter;
+mod attitude;
 mod measured;
 mod note;
 mod scene;
 mod sweep;
 
 pub(crate) use adapter::{Adapter, AdapterDetails};
+pub(crate) use attitude::attitude;
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use note::Note;
 pub(crate) use scene::SceneFacts;
@@ -53,6 +55,8 @@ pub(crate) struct Run {
     pub(crate) precision: &'static str,
     /// Distance from the equilibrium at which to stop, in radii.
     pub(crate) tolerance: f64,
+    /// What keeps its place in the outputs.
+    pub(crate) attitude: String,
     /// Of the last state.
     #[serde(flatten)]
     pub(crate) measured: Measured,

@@ -22,6 +22,8 @@ pub(crate) struct Head {
     pub(crate) precision: &'static str,
     /// Distance from the equilibrium at which to stop, in radii.
     pub(crate) tolerance: f64,
+    /// What keeps its place in the folded sheets.
+    pub(crate) attitude: String,
     /// What was asked for.
     pub(crate) settings: Asked,
 }

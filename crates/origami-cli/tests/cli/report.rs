@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 31] = [
+const KEYS: [&str; 32] = [
     "input",
     "solver",
     "backend",
@@ -26,6 +26,7 @@ const KEYS: [&str; 31] = [
     "converged",
     "stop",
     "attempts",
+    "attitude",
     "residual",
     "distance",
     "tolerance",

@@ -43,6 +43,16 @@ codes! {
         EmptyFile = "empty-file",
         /// The text breaks the rules of JSON.
         NotJson = "not-json",
+        /// The text breaks the rules of XML.
+        NotXml = "not-xml",
+        /// The file is something else than a crease pattern.
+        NotAPattern = "not-a-pattern",
+        /// The file, or what comes out of a compressed one, is larger than any pattern.
+        InputTooLarge = "input-too-large",
+        /// A compressed file is damaged or cut off.
+        Damaged = "damaged",
+        /// A drawing without a line that stands for a border or a crease.
+        NoLines = "no-lines",
         /// A value is of another type than its key has, such as a text in place of a number.
         WrongType = "wrong-type",
         /// An object has the same key twice.
@@ -87,6 +97,8 @@ codes! {
         FaceNotSimple = "face-not-simple",
         /// The lines enclose no paper, and the file gives no faces.
         NoPaper = "no-paper",
+        /// The border does not close, and there is no one way to close it.
+        BorderOpen = "border-open",
         /// Lines cross so often that they cannot be told apart.
         LinesTooDense = "lines-too-dense",
         /// A setting or an argument of a call is out of range.
@@ -97,6 +109,14 @@ codes! {
 codes! {
     /// The kind of a [`Warning`](super::Warning): to mute one kind, or to treat it as an error.
     WarningCode {
+        /// A part of the file that is no line of the pattern, or a property of a line, was left out.
+        LeftOut = "left-out",
+        /// The file's name says another format than its content.
+        OtherFormat = "other-format",
+        /// Numbers written in another way than the format has, such as with decimal commas.
+        OddNumber = "odd-number",
+        /// A colour that was taken for another one, or dashes that were taken for colours.
+        Colour = "colour",
         /// A key by its name in FOLD 1.0.
         OldKey = "old-key",
         /// `frame_inherit` in the key frame, which has no parent.
@@ -173,6 +193,26 @@ codes! {
         StrainedAtRest = "strained-at-rest",
         /// Something that was asked for is not to be had, and something else was taken.
         Fallback = "fallback",
+        /// An end that came near a line or another end, and was joined to it.
+        NearMissJoined = "near-miss-joined",
+        /// As `near-miss-joined`, where the border ends: the outline of the sheet has changed.
+        BorderJoined = "border-joined",
+        /// The border was open, and was closed by a straight line.
+        BorderClosed = "border-closed",
+        /// Lines lie outside all faces: there may have been paper.
+        PaperLost = "paper-lost",
+        /// Faces of the file contradict its lines; they were found anew.
+        FacesRepaired = "faces-repaired",
+        /// A crease lies in a hole of the sheet.
+        CreaseInHole = "crease-in-hole",
+        /// An end that comes near a line or another end, not near enough to be joined to it.
+        NearMiss = "near-miss",
+        /// Fold angles that may be in radians.
+        Radians = "radians",
+        /// A key that FOLD does not have and that is nearly one that it has.
+        UnknownKey = "unknown-key",
+        /// The frame that was taken is a folded form, and another one is a crease pattern.
+        OtherFrame = "other-frame",
     }
 }
 
@@ -203,20 +243,23 @@ mod tests {
         let errors: Vec<&str> = ErrorCode::ALL.iter().map(|code| code.name()).collect();
         assert_eq!(
             names(&errors),
-            "io not-utf8 empty-file not-json wrong-type key-twice number-too-large nested-too-deeply no-such-frame \
-             frames-in-a-circle missing-key wrong-length too-many-entries wrong-value not-finite no-such-vertex sheet-size \
+            "io not-utf8 empty-file not-json not-xml not-a-pattern input-too-large damaged no-lines wrong-type key-twice \
+             number-too-large nested-too-deeply no-such-frame frames-in-a-circle missing-key wrong-length \
+             too-many-entries wrong-value not-finite no-such-vertex sheet-size \
              edge-without-length edge-twice edge-of-many-faces one-sided face-of-few-corners corner-twice \
-             face-without-area face-not-simple no-paper lines-too-dense setting"
+             face-without-area face-not-simple no-paper border-open lines-too-dense setting"
         );
         let warnings: Vec<&str> = WarningCode::ALL.iter().map(|code| code.name()).collect();
         assert_eq!(
             names(&warnings),
-            "old-key key-frame-inherits no-parent mixed-dimensions vertices-merged isolated-vertex vertex-on-edge \
+            "left-out other-format odd-number colour old-key key-frame-inherits no-parent mixed-dimensions \
+             vertices-merged isolated-vertex vertex-on-edge \
              edges-cross edge-without-length edge-twice edge-twice-letters edge-outside unlisted-side faces-built \
              face-turned face-clockwise face-without-area thin-face missing-letters missing-angles tilted-plane \
              lower-case unknown-letter letter-on-contour boundary-inside boundary-cut closed-cut angle-on-boundary \
              null-angle angle-on-unassigned angle-on-flat angle-past-flat opposite-signs over-folding slivers \
-             single-precision strained-at-rest fallback"
+             single-precision strained-at-rest fallback near-miss-joined border-joined \
+             border-closed paper-lost faces-repaired crease-in-hole near-miss radians unknown-key other-frame"
         );
     }
 }

@@ -10,6 +10,7 @@ mod obj;
 mod sheet;
 mod stl;
 mod template;
+mod texture;
 
 #[cfg(feature = "files")]
 pub use atomic::{check_writable, remove_unfinished, write_whole};
@@ -17,6 +18,7 @@ pub use folded::{Pose, animation, crease_pattern_document, folded_form};
 pub use obj::write_obj;
 pub use stl::write_stl;
 pub use template::Template;
+pub use texture::texture_coordinates;
 
 /// The creator named in files.
 const CREATOR: &str = concat!("origami ", env!("CARGO_PKG_VERSION"));

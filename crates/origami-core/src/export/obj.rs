@@ -4,7 +4,7 @@ use std::io::{self, BufWriter, Write};
 
 use glam::DVec3;
 
-use super::{CREATOR, unwritable};
+use super::{CREATOR, texture_coordinates, unwritable};
 use crate::error::{Error, ErrorCode, Place};
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
@@ -53,13 +53,4 @@ fn write(mut writer: impl Write, pattern: &CreasePattern, positions: &[DVec3]) -
         writeln!(writer)?;
     }
     writer.flush()
-}
-
-/// The position of each vertex on the flat sheet, in the unit square; `None` if the sheet is not flat.
-fn texture_coordinates(vertices: &[DVec3]) -> Option<Vec<[f64; 2]>> {
-    let low = vertices.iter().copied().reduce(DVec3::min)?;
-    let high = vertices.iter().copied().reduce(DVec3::max)?;
-    let size = (high - low).truncate().max_element();
-    (high.z == low.z && size > 0.0 && size.is_finite())
-        .then(|| vertices.iter().map(|vertex| ((vertex - low).truncate() / size).to_array()).collect())
 }

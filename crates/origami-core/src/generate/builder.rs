@@ -116,8 +116,7 @@ impl SheetBuilder {
             vertices: self.vertices,
             edges: self.edges,
             faces: self.faces,
-            fixed: Vec::new(),
-            warnings: Vec::new(),
+            ..CreasePattern::default()
         }
     }
 }

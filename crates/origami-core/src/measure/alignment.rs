@@ -6,7 +6,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::eigen::largest_eigenvector;
+use super::eigen::eigenvectors;
 
 /// How two states differ when one has been laid upon the other.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +32,7 @@ pub fn align(points: &[DVec3], onto: &[DVec3]) -> Alignment {
     }
     let (from, to) = (centroid(points), centroid(onto));
     let covariance = points.iter().zip(onto).fold(DMat3::ZERO, |sum, (p, q)| sum + outer(*p - from, *q - to));
-    let rotation = rotation(covariance);
+    let (rotation, _) = best_rotation(covariance);
     let moved: Vec<DVec3> = points.iter().map(|p| rotation * (*p - from) + to).collect();
     let distances = || moved.iter().zip(onto).map(|(p, q)| p.distance(*q));
     let rms = (distances().map(|d| d * d).sum::<f64>() / points.len() as f64).sqrt();
@@ -46,24 +46,25 @@ fn centroid(points: &[DVec3]) -> DVec3 {
 }
 
 /// The products of the coordinates: `p`'s by column, `q`'s by row.
-fn outer(p: DVec3, q: DVec3) -> DMat3 {
+pub(super) fn outer(p: DVec3, q: DVec3) -> DMat3 {
     DMat3::from_cols(q * p.x, q * p.y, q * p.z)
 }
 
-/// The rotation that turns the first points nearest to the second, from the sum of the products of their coordinates; none
-/// where it is not finite.
-fn rotation(covariance: DMat3) -> DMat3 {
+/// The rotation that turns the first points nearest to the second, from the sum of the products of their coordinates, and
+/// how clearly it is the best: twice the sum of the two lesser singular values (their difference where the best motion would
+/// be a reflection), which is 0 where there is another as good. None, and 0, where the products are not finite.
+pub(super) fn best_rotation(covariance: DMat3) -> (DMat3, f64) {
     if !covariance.is_finite() {
-        return DMat3::IDENTITY;
+        return (DMat3::IDENTITY, 0.0);
     }
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = covariance.to_cols_array_2d();
-    let [w, x, y, z] = largest_eigenvector([
+    let [(largest, [w, x, y, z]), (next, _), ..] = eigenvectors([
         [xx + yy + zz, yz - zy, zx - xz, xy - yx],
         [yz - zy, xx - yy - zz, xy + yx, zx + xz],
         [zx - xz, xy + yx, yy - xx - zz, yz + zy],
         [xy - yx, zx + xz, yz + zy, zz - xx - yy],
     ]);
-    DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize())
+    (DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize()), largest - next)
 }
 
 #[cfg(test)]

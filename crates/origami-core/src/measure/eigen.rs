@@ -1,4 +1,4 @@
-//! The largest eigenvalue's vector of a small symmetric matrix.
+//! Eigenvalues and eigenvectors of a small symmetric matrix.
 //!
 //! Jacobi's method: turns in the plane of two axes, each of which makes one entry off the diagonal 0, until all are.
 //! It is slow for large matrices and as exact as can be for small ones. Golub and Van Loan, Matrix Computations, 8.5.
@@ -6,8 +6,8 @@
 /// Sweeps over all entries; convergence is quadratic, and six or so are enough.
 const SWEEPS: usize = 30;
 
-/// A unit eigenvector of the largest eigenvalue of a symmetric matrix of finite numbers.
-pub(super) fn largest_eigenvector<const N: usize>(mut matrix: [[f64; N]; N]) -> [f64; N] {
+/// The eigenvalues of a symmetric matrix of finite numbers, the largest first, each with a unit eigenvector.
+pub(super) fn eigenvectors<const N: usize>(mut matrix: [[f64; N]; N]) -> [(f64, [f64; N]); N] {
     // Its rows become the eigenvectors.
     let mut vectors = [[0.0; N]; N];
     for (i, row) in vectors.iter_mut().enumerate() {
@@ -24,8 +24,11 @@ pub(super) fn largest_eigenvector<const N: usize>(mut matrix: [[f64; N]; N]) -> 
             break;
         }
     }
-    let largest = (0..N).max_by(|a, b| matrix[*a][*a].total_cmp(&matrix[*b][*b])).unwrap_or(0);
-    vectors[largest]
+    let mut pairs: [(f64, [f64; N]); N] = std::array::from_fn(|i| (matrix[i][i], vectors[i]));
+    // Of equal ones the last first.
+    pairs.reverse();
+    pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
+    pairs
 }
 
 /// Turns the axes `p` and `q` so that the entry between them becomes 0; false where it is already nothing beside theirs.
@@ -70,11 +73,14 @@ mod tests {
         for seed in 0..50 {
             let entry = |i: usize, j: usize| (f64::from(seed) + 1.7 * (i * j) as f64 + 0.9 * (i + j) as f64).sin();
             let matrix: [[f64; 4]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
-            let vector = largest_eigenvector(matrix);
-            let stretched = times(&matrix, &vector);
-            let value = dot(&vector, &stretched);
-            let off = std::array::from_fn::<_, 4, _>(|i| stretched[i] - value * vector[i]);
-            assert!((dot(&vector, &vector) - 1.0).abs() < 1e-14 && dot(&off, &off) < 1e-28, "{seed}: {off:?}");
+            let pairs = eigenvectors(matrix);
+            for (value, vector) in pairs {
+                let stretched = times(&matrix, &vector);
+                let off = std::array::from_fn::<_, 4, _>(|i| stretched[i] - value * vector[i]);
+                assert!((dot(&vector, &vector) - 1.0).abs() < 1e-14 && dot(&off, &off) < 1e-28, "{seed}: {off:?}");
+            }
+            assert!(pairs.is_sorted_by(|a, b| a.0 >= b.0));
+            let value = pairs[0].0;
             for other in 0..200 {
                 let other: [f64; 4] = std::array::from_fn(|i| (f64::from(other) * (1.0 + i as f64)).cos());
                 assert!(dot(&other, &times(&matrix, &other)) <= (value + 1e-12) * dot(&other, &other), "{seed}");
@@ -84,7 +90,8 @@ mod tests {
 
     #[test]
     fn a_diagonal_matrix_has_its_axes() {
-        assert_eq!(largest_eigenvector([[1.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 2.0]]), [0.0, 1.0, 0.0]);
-        assert_eq!(largest_eigenvector([[0.0; 2]; 2]).map(f64::abs).iter().sum::<f64>(), 1.0);
+        let axes = eigenvectors([[1.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 2.0]]);
+        assert_eq!(axes, [(3.0, [0.0, 1.0, 0.0]), (2.0, [0.0, 0.0, 1.0]), (1.0, [1.0, 0.0, 0.0])]);
+        assert!(eigenvectors([[0.0; 2]; 2]).iter().all(|(value, _)| *value == 0.0));
     }
 }

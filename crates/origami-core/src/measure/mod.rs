@@ -3,6 +3,7 @@
 
 mod alignment;
 mod angles;
+pub mod attitude;
 mod closure;
 mod eigen;
 mod scene_warnings;

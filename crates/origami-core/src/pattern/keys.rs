@@ -8,6 +8,8 @@ pub const EA: &str = "edges_origami:ea";
 pub const FOLD_ANGLE: &str = "edges_origami:foldAngle";
 /// For each edge where it was written in the file that the FOLD file was made from, such as `line 12`.
 pub const SOURCE: &str = "edges_origami:source";
+/// For each face where it was written, as for edges.
+pub const FACES_SOURCE: &str = "faces_origami:source";
 /// How far a folded frame was asked to fold, in percent of all fold angles.
 pub const PERCENT: &str = "origami:percent";
 /// For each vertex whether it stays where it is.

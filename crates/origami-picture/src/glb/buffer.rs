@@ -37,6 +37,12 @@ impl Buffer {
         self.put(bytes, values.len(), FLOAT, "VEC3", Some(ARRAY_BUFFER))
     }
 
+    /// Places on a picture.
+    pub(super) fn places(&mut self, values: &[[f32; 2]]) -> usize {
+        let bytes = values.iter().flatten().copied().flat_map(f32::to_le_bytes);
+        self.put(bytes, values.len(), FLOAT, "VEC2", Some(ARRAY_BUFFER))
+    }
+
     /// Linear light as normalised 16 bit numbers, opaque.
     pub(super) fn colours(&mut self, values: &[[f32; 3]]) -> usize {
         let channel = |c: f32| (c.clamp(0.0, 1.0) * 65535.0 + 0.5) as u16;

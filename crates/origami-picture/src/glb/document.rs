@@ -1,7 +1,7 @@
 //! The JSON chunk, and both chunks put together.
 
 use origami_core::Error;
-use origami_core::glam::Vec3;
+use origami_core::glam::{DVec3, Vec3};
 use serde_json::{Map, Value, json};
 
 use super::buffer::Buffer;
@@ -16,6 +16,8 @@ const INK: usize = 1;
 
 pub(super) struct Document {
     buffer: Buffer,
+    /// The unit of length, in radii of the figure.
+    radius: f32,
     primitives: Vec<Value>,
     materials: Vec<Value>,
     animation: Option<Value>,
@@ -23,29 +25,33 @@ pub(super) struct Document {
 }
 
 impl Document {
-    pub(super) fn new(buffer: Buffer) -> Self {
-        Self { buffer, primitives: Vec::new(), materials: Vec::new(), animation: None, targets: 0 }
+    pub(super) fn new(buffer: Buffer, radius: f32) -> Self {
+        Self { buffer, radius, primitives: Vec::new(), materials: Vec::new(), animation: None, targets: 0 }
     }
 
-    /// Triangles with the given corners; their colours are those of `corner_colours`, or `paper` everywhere.
+    /// Triangles with the given corners, and the place of each on a picture; their colours are those of `corner_colours`, or `paper` everywhere.
     pub(super) fn faces(
         &mut self,
         corners: &[u32],
         states: &[Vec<[f32; 3]>],
+        texture: Option<&[[f32; 2]]>,
         corner_colours: Option<Vec<[f32; 3]>>,
         paper: [f32; 3],
     ) {
-        let first = positions_of(corners, &states[0]);
+        let first = positions_of(corners, &states[0], self.radius);
         let first_normals = normals(&first);
         let mut attributes = Map::new();
         attributes.insert("POSITION".into(), self.buffer.positions(&first).into());
         attributes.insert("NORMAL".into(), self.buffer.normals(&first_normals).into());
+        if let Some(texture) = texture {
+            attributes.insert("TEXCOORD_0".into(), self.buffer.places(texture).into());
+        }
         let [r, g, b] = if corner_colours.is_some() { [1.0; 3] } else { paper };
         if let Some(colours) = corner_colours {
             attributes.insert("COLOR_0".into(), self.buffer.colours(&colours).into());
         }
         let targets = states[1..].iter().map(|state| {
-            let there = positions_of(corners, state);
+            let there = positions_of(corners, state, self.radius);
             let turned = difference(&normals(&there), &first_normals);
             let position = self.buffer.positions(&difference(&there, &first));
             json!({ "POSITION": position, "NORMAL": self.buffer.normals(&turned) })
@@ -62,14 +68,15 @@ impl Document {
 
     /// Lines between pairs of nodes, coloured at their ends.
     pub(super) fn lines(&mut self, ends: &[u32], states: &[Vec<[f32; 3]>], colours: Vec<[f32; 3]>) {
-        let first = positions_of(ends, &states[0]);
+        let first = positions_of(ends, &states[0], self.radius);
         let mut attributes = Map::new();
         attributes.insert("POSITION".into(), self.buffer.positions(&first).into());
         attributes.insert("COLOR_0".into(), self.buffer.colours(&colours).into());
-        let targets = states[1..].iter();
-        let targets = targets
-            .map(|state| json!({ "POSITION": self.buffer.positions(&difference(&positions_of(ends, state), &first)) }))
-            .collect();
+        let targets = states[1..].iter().map(|state| {
+            let moved = difference(&positions_of(ends, state, self.radius), &first);
+            json!({ "POSITION": self.buffer.positions(&moved) })
+        });
+        let targets = targets.collect();
         let mut lines = primitive(attributes, INK, targets);
         lines["mode"] = json!(LINES);
         self.primitives.push(lines);
@@ -103,8 +110,8 @@ impl Document {
         }));
     }
 
-    /// The bytes of the file.
-    pub(super) fn into_bytes(self) -> Result<Vec<u8>, Error> {
+    /// The bytes of the file, its vertices about `centre`.
+    pub(super) fn into_bytes(self, centre: DVec3) -> Result<Vec<u8>, Error> {
         let mut mesh = json!({ "name": "sheet", "primitives": self.primitives });
         if self.targets > 0 {
             mesh["weights"] = json!(vec![0.0; self.targets]);
@@ -113,7 +120,7 @@ impl Document {
             "asset": { "version": "2.0", "generator": concat!("origami ", env!("CARGO_PKG_VERSION")) },
             "scene": 0,
             "scenes": [{ "nodes": [0] }],
-            "nodes": [{ "name": "sheet", "mesh": 0 }],
+            "nodes": [{ "name": "sheet", "mesh": 0, "translation": [centre.x, centre.z, 0.0 - centre.y] }],
             "meshes": [mesh],
             "materials": self.materials,
             "accessors": self.buffer.accessors,

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use origami::error::WarningCode;
 use origami::export::Template;
+use origami::measure::attitude;
 use origami::model::Model;
 use origami::solve::{Failed, Progress, Stop, fold_path};
 use origami::{CreasePattern, Error, Warning, measure};
@@ -12,7 +13,7 @@ use super::summary::{self, Told};
 use crate::draw::{self, Artist, Subject};
 use crate::exit::Exit;
 use crate::files::{self, Destination, Format, Input, Sheet, Target};
-use crate::report::{Divergence, Ending, Measured, Note, Report, Run, SceneFacts, Seconds};
+use crate::report::{self, Divergence, Ending, Measured, Note, Report, Run, SceneFacts, Seconds};
 use crate::settings::{Settings, scene_warnings};
 use crate::stopwatch::Stopwatch;
 
@@ -85,9 +86,11 @@ fn attempt(
         return Ok((Exit::Done, None));
     }
 
+    // A face that is not there is refused before the work.
+    attitude::motion(&model, &model.rest, settings.hold)?;
     let computer = settings.backend.choose(&settings.method, model.node_count());
     let mut warnings =
-        scene_warnings(&model, &settings.percents, computer.adapter.is_some().then_some(settings.tolerance));
+        scene_warnings(&pattern, &model, &settings.percents, computer.adapter.is_some().then_some(settings.tolerance));
     told.warnings.extend(warnings.iter().cloned().chain(computer.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
     let scene = SceneFacts::new(&pattern, &model, &computer.solver.inventory(&model), &warnings);
@@ -112,13 +115,14 @@ fn attempt(
         precision: settings.precisions[usize::from(on_gpu)],
         scene,
         tolerance: settings.tolerance,
+        attitude: report::attitude(&pattern, settings.hold),
         measured: Measured::default(),
         frames: None,
         diverged: None,
         outputs: Vec::new(),
         seconds,
     };
-    let (states, stages) = match solved {
+    let (mut states, mut stages) = match solved {
         Ok(solved) => solved,
         Err(failed) => {
             let Failed::Diverged(diverged) = &failed.failed else {
@@ -149,6 +153,9 @@ fn attempt(
     let frames: Vec<Measured> = states.iter().map(|folded| Measured::new(&model, folded)).collect();
     run.measured = overall(&frames);
     run.frames = settings.animated.then_some(frames);
+    for folded in states.iter_mut().chain(stages.iter_mut().flatten()) {
+        folded.state = attitude::turned(&model, &folded.state, settings.hold)?;
+    }
     watch.lap();
     let artist = Artist::new(
         settings.style.clone().unwrap_or_default(),
@@ -167,9 +174,11 @@ fn attempt(
     let contact = Sheet { states: stages.as_deref().unwrap_or(&states), ..sheet };
     for target in targets {
         let sheet = if target.format == Format::Contact { &contact } else { &sheet };
-        let written = write(target, sheet, settings, observe)?;
-        told.written.extend_from_slice(&written);
-        run.outputs.extend(written);
+        let (outputs, warning) = write(target, sheet, settings, observe)?;
+        told.written.extend_from_slice(&outputs);
+        run.outputs.extend(outputs);
+        run.scene.warnings.extend(warning.iter().map(Note::from));
+        told.warnings.extend(warning);
         let seconds = watch.lap();
         *(if target.format.is_drawn() { &mut drawing } else { &mut run.seconds.write }) += seconds;
     }
@@ -212,25 +221,25 @@ fn draw_pattern(
 ) -> Result<(), Error> {
     let artist = Artist::new(settings.style.clone().unwrap_or_default(), None);
     let sheet = Sheet { template, pattern, model, states: &[], animated: false, artist: &artist, fps: None };
-    targets.iter().try_for_each(|target| files::write(target, &sheet))
+    targets.iter().try_for_each(|target| files::write(target, &sheet).map(|_| ()))
 }
 
-/// Writes one target and says which files it is.
+/// Writes one target and says which files it is, and what is not in them as it was asked for.
 fn write(
     target: &Target,
     sheet: &Sheet<'_>,
     settings: &Settings,
     observe: &mut dyn FnMut(Seen),
-) -> Result<Vec<String>, Error> {
+) -> Result<(Vec<String>, Option<Warning>), Error> {
     if let (Format::Film, Destination::File(path)) = (target.format, &target.destination) {
         let states = sheet.states_of(Format::Film);
         let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
         let mut drawn = |drawn, of| observe(Seen::Pictures(drawn, of));
         files::make_folder(target)?;
-        return draw::film(sheet.artist, subject, settings.film, path, &mut drawn);
+        return Ok((draw::film(sheet.artist, subject, settings.film, path, &mut drawn)?, None));
     }
-    files::write(target, sheet)?;
-    Ok(vec![target.destination.to_string()])
+    let warning = files::write(target, sheet)?;
+    Ok((vec![target.destination.to_string()], warning))
 }
 
 /// The last state, with the steps of all of them; converged if all of them are.

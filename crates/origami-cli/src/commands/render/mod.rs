@@ -10,7 +10,7 @@ use crate::backend::Backend;
 use crate::console;
 use crate::draw::{self, Artist, Style, Subject};
 use crate::exit::{Exit, Failure};
-use crate::files::{self, Destination, Format, Input, Target, whole};
+use crate::files::{self, Destination, Format, Input, Reading, Target, whole};
 use crate::numbers::duration;
 use crate::oddities::{self, Drawn};
 use crate::stopwatch::Stopwatch;
@@ -21,7 +21,7 @@ use lying::Lying;
 /// Draws it.
 pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     let mut watch = Stopwatch::start();
-    let input = Input::new(&args.input);
+    let input = Input::new(&args.input, &Reading::new(&args.reading)?);
     let outputs = outputs(args)?;
     let target = |(destination, format): &(Destination, Format)| Target {
         destination: destination.clone(),

@@ -1,9 +1,10 @@
 //! So many sheets at once as memory holds.
 
 use std::ops::ControlFlow;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use origami::export::Template;
+use origami::measure::attitude::{self, Hold};
 use origami::model::{Inventory, Model};
 use origami::solve::{Failed, Folded, Instance, Point, Progress, Solver, Sweep};
 use origami::{CreasePattern, Error, Warning};
@@ -30,6 +31,10 @@ pub(super) struct Work<'a> {
     pub(super) solver: &'a dyn Solver,
     pub(super) folder: &'a Folder<'a>,
     pub(super) line: &'a ProgressLine,
+    /// What keeps its place in the files.
+    pub(super) hold: Hold,
+    /// What is not in the files of the sheets as it was asked for.
+    pub(super) told: OnceLock<Warning>,
     /// The tolerance, where a GPU computes.
     pub(super) on_gpu: Option<f64>,
 }
@@ -87,6 +92,8 @@ impl Work<'_> {
             let watch = Stopwatch::start();
             let models = self.models(points)?;
             if let Some(begin) = begin.take() {
+                // A face that is not there is refused before the work.
+                models.first().map(|model| attitude::motion(model, &model.rest, self.hold)).transpose()?;
                 *place = Some(begin()?);
             }
             let Some(ledger) = place.as_mut() else { break };
@@ -165,7 +172,7 @@ impl Work<'_> {
         let inventory = self.solver.inventory(model);
         let seen = known.inventories.iter().position(|other| *other == inventory);
         seen.unwrap_or_else(|| {
-            let of_scene = scene_warnings(model, &self.sweep.percents, self.on_gpu);
+            let of_scene = scene_warnings(self.pattern, model, &self.sweep.percents, self.on_gpu);
             let warnings: Vec<Warning> = self.pattern.warnings.iter().chain(&of_scene).cloned().collect();
             scenes.push(SceneFacts::new(self.pattern, model, &inventory, &warnings));
             of_scene.into_iter().for_each(|warning| {
@@ -219,7 +226,8 @@ impl Work<'_> {
         }
     }
 
-    fn write(&self, index: usize, model: &Model, folded: Folded) -> Result<Vec<String>, Error> {
+    fn write(&self, index: usize, model: &Model, mut folded: Folded) -> Result<Vec<String>, Error> {
+        folded.state = attitude::turned(model, &folded.state, self.hold)?;
         let artist = Artist::default();
         let sheet = Sheet {
             template: self.template,
@@ -233,7 +241,10 @@ impl Work<'_> {
         let write = |format: &files::Format| {
             let destination = Destination::File(self.folder.sheet(index, *format));
             let target = Target { destination, format: *format, folder: None };
-            files::write(&target, &sheet)?;
+            if let Some(warning) = files::write(&target, &sheet)? {
+                // The same of all sheets.
+                self.told.get_or_init(|| warning);
+            }
             Ok(target.destination.to_string())
         };
         self.folder.formats.iter().map(write).collect()

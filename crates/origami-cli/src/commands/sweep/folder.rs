@@ -62,7 +62,7 @@ impl<'a> Folder<'a> {
         if !file.is_file() && (file == self.csv() || file == self.json()) {
             return Err(format!("{shown}: is no file that can grow; expected one or nothing there"));
         }
-        if matches!(input, Input::File(input) if is_same_file(input, file)) {
+        if input.file().is_some_and(|input| is_same_file(input, file)) {
             return Err(format!("{input}: would be replaced by the sweep; expected another folder"));
         }
         Ok(())

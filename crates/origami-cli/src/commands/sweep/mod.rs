@@ -10,6 +10,8 @@ mod summary;
 #[cfg(test)]
 mod testing;
 
+use std::sync::OnceLock;
+
 use origami::export::Template;
 use origami::solve::Sweep;
 use origami::{CreasePattern, Error, Material, Model};
@@ -20,11 +22,11 @@ use crate::backend::Computer;
 use crate::console;
 use crate::draw::{self, Style};
 use crate::exit::{Exit, Failure};
-use crate::files::{self, Input};
+use crate::files::{self, Input, Reading};
 use crate::numbers::grouped;
 use crate::oddities;
 use crate::progress::ProgressLine;
-use crate::report::{Asked, Head, Seconds, Table};
+use crate::report::{self, Asked, Head, Seconds, Table};
 use crate::settings;
 use crate::stopwatch::Stopwatch;
 use crate::text::plain;
@@ -43,7 +45,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let (sweep, count) = args.sweep()?;
     let style = args.folded.iter().any(|format| format.is_drawn()).then(|| Style::new(&PictureArgs::default()));
     let style = style.transpose()?;
-    let input = Input::new(&args.input);
+    let input = Input::new(&args.input, &Reading::new(&args.reading)?);
     let folder = Folder::new(&args.output, &args.folded, count, &input)?;
     files::refuse_unwritable([folder.csv(), folder.json()].iter().map(|path| path.as_path()))?;
     files::tidy([folder.csv().as_path()]);
@@ -83,6 +85,8 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         solver: computer.solver.as_ref(),
         folder: &folder,
         line: &line,
+        told: OnceLock::new(),
+        hold: args.hold.unwrap_or_default(),
         on_gpu: computer.adapter.is_some().then_some(args.solving.tolerance),
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads::count(args.threads)).build();
@@ -96,7 +100,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     line.finish();
     let known = done.map_err(|error| broken_off(&input, &error, ledger.as_ref(), count))?;
     if !args.quiet {
-        known.scene_warnings.iter().for_each(console::warning);
+        known.scene_warnings.iter().chain(work.told.get()).for_each(console::warning);
     }
     let (instances, seconds) = ledger.map(Ledger::into_rows).unwrap_or_default();
     let table = Table { head, instances, seconds };
@@ -155,6 +159,7 @@ fn head(
         precision: solving.precision_name(computer.adapter.is_some()),
         adapter: computer.adapter.clone(),
         tolerance: solving.tolerance,
+        attitude: report::attitude(pattern, args.hold.unwrap_or_default()),
         settings,
     }
 }

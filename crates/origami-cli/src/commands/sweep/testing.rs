@@ -34,6 +34,7 @@ pub(super) fn head() -> Head {
         adapter: None,
         precision: "f64",
         tolerance: 1e-4,
+        attitude: "sheet".to_owned(),
         settings,
     }
 }

@@ -13,9 +13,7 @@ pub(crate) fn message(error: &clap::Error) -> String {
         ErrorKind::UnknownArgument => unknown(error),
         ErrorKind::InvalidValue => value(error),
         ErrorKind::ValueValidation => error.source().map(|source| format!("{}: {source}", given(error))),
-        ErrorKind::MissingRequiredArgument => {
-            Some(format!("missing: {}; expected {}", texts(error, ContextKind::InvalidArg).join(", "), usage(error)))
-        }
+        ErrorKind::MissingRequiredArgument => Some(missing(error)),
         ErrorKind::ArgumentConflict => conflict(error),
         _ => None,
     };
@@ -57,6 +55,12 @@ fn value(error: &clap::Error) -> Option<String> {
     }
     let perhaps = perhaps(&given_value, &values);
     Some(format!("{}: is not known{perhaps}; expected {}", given(error), either(&values)))
+}
+
+fn missing(error: &clap::Error) -> String {
+    let mut names = texts(error, ContextKind::InvalidArg);
+    names.sort_by_key(|name| name.starts_with('-'));
+    format!("missing: {}; expected {}", names.join(", "), usage(error))
 }
 
 fn conflict(error: &clap::Error) -> Option<String> {

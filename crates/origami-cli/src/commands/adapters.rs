@@ -20,9 +20,9 @@ pub(super) fn run(args: &AdaptersArgs) -> Result<Exit, Failure> {
         table(&adapters)
     };
     if args.json {
-        console::print(text.as_bytes())?
+        console::print(text.as_bytes())?;
     } else {
-        console::print_text(&text)?
+        console::print_text(&text)?;
     }
     Ok(Exit::Done)
 }

@@ -25,6 +25,11 @@ pub(crate) fn refuse_replaced<'a>(inputs: &[Input], targets: impl Iterator<Item 
     Ok(())
 }
 
+/// Whether both paths lead to one file that is there.
+pub(crate) fn is_same_file(one: &Path, other: &Path) -> bool {
+    Identity::of(one).is_some_and(|identity| Identity::of(other) == Some(identity))
+}
+
 /// Which file a path leads to; equal for hard links too, where the system tells them.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Identity {

@@ -69,6 +69,9 @@ fn the_input_is_not_replaced_under_any_name() {
         assert!(ran.stderr.contains(refused) || ran.stderr.contains("ending in .png"), "{words}: {}", ran.stderr);
         assert!(!place.has("a.obj") && !place.has("a.svg"));
     }
+    place
+        .run("fold square.fold -o a.obj --report hard.fold")
+        .fails(1, "hard.fold: the report would overwrite an input");
     assert_eq!(place.text("square.fold"), crate::place::SQUARE);
     place.run("fold square.fold -o sub/square.fold --quiet").succeeds();
 }

@@ -151,7 +151,8 @@ fn check_streams(inputs: &[Input], targets: &[Vec<Target>], report: Option<&Dest
         return Err(format!("{report} is named for the report and for an output; expected different ones"));
     }
     if let Destination::File(path) = report {
-        let replaced = |input: &Input| input.file().is_some_and(|file| report.is(&Destination::new(file)));
+        let is = |file: &Path| report.is(&Destination::new(file)) || files::is_same_file(file, path);
+        let replaced = |input: &Input| input.file().is_some_and(is);
         if inputs.iter().any(replaced) {
             return Err(format!("{report}: the report would overwrite an input; expected another file"));
         }

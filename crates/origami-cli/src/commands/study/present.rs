@@ -34,10 +34,8 @@ pub(in crate::commands) fn run(args: &StudyArgs) -> Result<Exit, Failure> {
         StudyName::Stability => "stability.md",
     };
     folder::make(&args.output, document)?;
-    if !args.quiet {
-        if is_named(args.adapter.as_deref()) && args.backend == StudyBackend::Cpu {
-            console::warning("--adapter has no effect with --backend cpu");
-        }
+    if !args.quiet && is_named(args.adapter.as_deref()) && args.backend == StudyBackend::Cpu {
+        console::warning("--adapter has no effect with --backend cpu");
     }
 
     let mut watch = Stopwatch::start();

@@ -50,15 +50,6 @@ struct Batch<'a> {
     taken: usize,
 }
 
-impl Known {
-    fn diverged(&mut self, index: usize, message: Option<String>) {
-        let Some(message) = message else { return };
-        if self.first_divergence.as_ref().is_none_or(|(first, _)| index < *first) {
-            self.first_divergence = Some((index, message));
-        }
-    }
-}
-
 /// What is known of all sheets.
 #[derive(Default)]
 pub(super) struct Known {
@@ -69,45 +60,48 @@ pub(super) struct Known {
     inventories: Vec<Inventory>,
 }
 
+impl Known {
+    fn diverged(&mut self, index: usize, message: Option<String>) {
+        let Some(message) = message else { return };
+        if self.first_divergence.as_ref().is_none_or(|(first, _)| index < *first) {
+            self.first_divergence = Some((index, message));
+        }
+    }
+}
+
 impl Work<'_> {
-    /// Folds all `count` sheets but those that have rows, in batches; nothing depends on how large these are. `begin` makes
-    /// the ledger, once there is something to be written.
+    /// Folds all `count` sheets but the first `taken`, which have rows, in batches; nothing depends on how large these are.
+    /// `begin` makes the ledger, once there is something to be written; it stays in its place, whatever comes.
     ///
     /// # Errors
-    /// From a model that cannot be built, or a file that cannot be written, with the ledger that there is then.
+    /// From a model that cannot be built, or a file that cannot be written.
     pub(super) fn run(
         &self,
         count: usize,
         taken: usize,
         begin: impl FnOnce() -> Result<Ledger, Error>,
-    ) -> Result<(Ledger, Known), (Error, Option<Ledger>)> {
+        place: &mut Option<Ledger>,
+    ) -> Result<Known, Error> {
         let size = (NODES_AT_ONCE / self.pattern.vertices.len().max(1)).max(rayon::current_num_threads());
         let points: Vec<Point> = self.sweep.points().collect();
         let shares = Shares::new(count);
         (0..taken).for_each(|i| self.line.show_sheets(shares.advance(i, 1.0)));
         let mut known = Known::default();
         let mut begin = Some(begin);
-        let mut ledger = None;
         for (i, points) in points.chunks(size).enumerate() {
             let watch = Stopwatch::start();
-            let models = self.models(points).map_err(|error| (error, ledger.take()))?;
+            let models = self.models(points)?;
             if let Some(begin) = begin.take() {
                 // A face that is not there is refused before the work.
-                let held = models.first().map(|model| attitude::motion(model, &model.rest, self.hold)).transpose();
-                held.map_err(|error| (error, None))?;
-                ledger = Some(begin().map_err(|error| (error, None))?);
+                models.first().map(|model| attitude::motion(model, &model.rest, self.hold)).transpose()?;
+                *place = Some(begin()?);
             }
-            let Some(mut kept) = ledger.take() else { continue };
+            let Some(ledger) = place.as_mut() else { break };
             let batch = Batch { points, models: &models, begun: i * size, taken };
-            let done = self.batch(&batch, &shares, &mut known, kept, watch);
-            kept = done.map_err(|(error, ledger)| (error, Some(ledger)))?;
-            ledger = Some(kept);
+            self.batch(&batch, &shares, &mut known, ledger, watch)?;
         }
-        let ended = ledger.map(|mut ledger| match ledger.flush() {
-            Ok(()) => Ok((ledger, known)),
-            Err(error) => Err((error, Some(ledger))),
-        });
-        ended.unwrap_or_else(|| Err((Error::invalid("sweep", "has no sheets", "one at least"), None)))
+        place.as_mut().map_or(Ok(()), Ledger::flush)?;
+        Ok(known)
     }
 
     /// A model for each material, which varies slowest.
@@ -121,9 +115,9 @@ impl Work<'_> {
         batch: &Batch<'_>,
         shares: &Shares,
         known: &mut Known,
-        mut ledger: Ledger,
+        ledger: &mut Ledger,
         mut watch: Stopwatch,
-    ) -> Result<Ledger, (Error, Ledger)> {
+    ) -> Result<(), Error> {
         let Batch { points, models, begun, taken } = *batch;
         let first = points.first().map_or(0, |point| point.material);
         let scenes: Vec<usize> = models.iter().map(|model| self.scene(model, known, &mut ledger.scenes)).collect();
@@ -160,20 +154,17 @@ impl Work<'_> {
                 Ok::<(), Error>(())
             })
         });
-        let (mut ledger, write, _) = written.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let (ledger, write, _) = written.into_inner().unwrap_or_else(PoisonError::into_inner);
         // Threads wait for each other to write: their times overlap.
         let all = watch.lap();
         let write = all.min(write);
         ledger.seconds.write += write;
         ledger.seconds.solve += all - write;
-        match done {
-            Ok(()) => Ok(ledger),
-            Err(error) => {
-                // What is done before it is kept; the first error is told.
-                let _ = ledger.flush();
-                Err((error, ledger))
-            }
+        if done.is_err() {
+            // What is done before it is kept; the first error is told.
+            let _ = ledger.flush();
         }
+        done
     }
 
     /// The place of the model's scene among those seen so far.

@@ -95,13 +95,14 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         folder.make()?;
         Ledger::begin([folder.csv(), folder.json()], &head, rows, count, seconds)
     };
-    let done = pool.install(|| work.run(count, taken, begin));
+    let mut ledger = None;
+    let done = pool.install(|| work.run(count, taken, begin, &mut ledger));
     line.finish();
-    let (ledger, known) = done.map_err(|(error, ledger)| broken_off(&input, &error, ledger.as_ref(), count))?;
+    let known = done.map_err(|error| broken_off(&input, &error, ledger.as_ref(), count))?;
     if !args.quiet {
         known.scene_warnings.iter().chain(work.told.get()).for_each(console::warning);
     }
-    let (instances, seconds) = ledger.into_rows();
+    let (instances, seconds) = ledger.map(Ledger::into_rows).unwrap_or_default();
     let table = Table { head, instances, seconds };
 
     let counts = Counts::of(&table.instances);

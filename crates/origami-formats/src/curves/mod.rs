@@ -1,13 +1,14 @@
 //! Curved creases: from Bezier curves to straight pieces whose ends face each other, and to the rulings between them.
 //!
 //! 1. [`runs`]: each stroke in many short pieces, far closer to the curve than asked for.
-//! 2. [`knots`]: where strokes cross, and where one ends on another, both have a point.
+//! 2. [`ends`], [`knots`]: ends that nearly meet do; where strokes cross, and where one ends on another, both have a point.
 //! 3. [`spread`]: of all these points those are kept that the tolerance needs, and those that face a kept point across a face:
 //!    a ruling leaves a curve as nearly at a right angle as it can.
 //! 4. [`rulings`]: each face between the kept points is cut along rulings, which become flat lines.
 //!
 //! `docs/CURVED.md` says why, and what was measured.
 
+mod ends;
 mod faces;
 mod knots;
 mod rulings;
@@ -20,7 +21,7 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 use kurbo::PathSeg;
 use origami_core::CreasePattern;
-use origami_core::error::Error;
+use origami_core::error::{Error, Place, WarningCode};
 
 use crate::lines::Lines;
 use runs::Run;
@@ -39,7 +40,7 @@ pub(crate) struct Stroke {
 }
 
 /// How far pieces may be from their curve where nothing is said, in sizes of the pattern.
-const TOLERANCE: f64 = 2.5e-4;
+const TOLERANCE: f64 = 5e-4;
 
 /// The strokes in straight pieces, and the rulings between curved ones. `tolerance` is how far the pieces may be from the
 /// curves, in the units of the file.
@@ -57,6 +58,8 @@ pub(crate) fn lines(strokes: Vec<Stroke>, tolerance: Option<f64>) -> Result<Line
         straight::join(&mut runs, &strokes, size);
         return Ok(written(&strokes, &runs, &[]));
     }
+    let moved = ends::join(&mut runs, tolerance);
+    runs.retain(|run| run.nodes.len() > 1);
     knots::tie(&mut runs, tolerance);
     // The faces between the fine pieces say which points face each other. Where there are none, nothing is to be faced.
     let faces = pattern(&strokes, &runs).map_or_else(Vec::new, |pattern| faces::of(&pattern, &runs));
@@ -64,7 +67,13 @@ pub(crate) fn lines(strokes: Vec<Stroke>, tolerance: Option<f64>) -> Result<Line
     runs.iter_mut().for_each(Run::thin);
     spread::split(&mut runs, &feet, size);
     let rulings = pattern(&strokes, &runs).map_or_else(Vec::new, |pattern| rulings::of(&faces::of(&pattern, &runs)));
-    Ok(written(&strokes, &runs, &rulings))
+    let mut lines = written(&strokes, &runs, &rulings);
+    for stroke in moved {
+        let place = || Place::key("edges_vertices").written_at(&strokes[stroke].source);
+        let message = "an end is within the curve tolerance of another stroke, and was moved there";
+        lines.note(WarningCode::VerticesMerged, place, message);
+    }
+    Ok(lines)
 }
 
 /// The pattern that the runs make, if they make one.

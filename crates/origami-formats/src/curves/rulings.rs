@@ -65,17 +65,7 @@ fn cut(face: &[Corner]) -> Vec<[usize; 2]> {
             continue;
         }
         let k = third[i * count + j];
-        if k == usize::MAX {
-            if found.is_empty() && count < 71 {
-                eprintln!(
-                    "FAIL {count} at {i} {j}: {:?}",
-                    face.iter().map(|c| (c.at.x, c.at.y, c.tangent.is_some())).collect::<Vec<_>>()
-                );
-            } else {
-                eprintln!("FAIL {count} {i} {j}");
-            }
-            return Vec::new();
-        }
+        if k == usize::MAX {}
         for part in [[i, k], [k, j]] {
             if part[1] > part[0] + 1 {
                 found.push(part);
@@ -87,7 +77,7 @@ fn cut(face: &[Corner]) -> Vec<[usize; 2]> {
 }
 
 /// How far a line between two corners is from right angles to their curves: the sum of the squared cosines.
-fn slant(one: &Corner, two: &Corner) -> f64 {
+pub(super) fn slant(one: &Corner, two: &Corner) -> f64 {
     let ruling = (two.at - one.at).normalize_or_zero();
     [one, two].iter().filter_map(|corner| corner.tangent).map(|tangent| tangent.dot(ruling).powi(2)).sum()
 }

@@ -6,13 +6,14 @@ use glam::DVec2;
 
 use super::faces::Face;
 use super::key;
+use super::rulings::slant;
 use super::runs::{Node, Run};
 
 /// Points nearer to each other than this, in distances that the tolerance allows, are as good as one.
-const APART: f64 = 0.35;
+const APART: f64 = 0.5;
 /// Points face each other if the squared cosines of the angles between their ruling and the curves are not more than
-/// this: 60 degrees at one end.
-const FACING: f64 = 0.25;
+/// this: 45 degrees at both ends.
+const FACING: f64 = 1.0;
 /// Gaps in a run are filled so often.
 const PASSES: usize = 4;
 
@@ -185,23 +186,18 @@ fn facing(face: &Face, corner: usize) -> Option<Facing> {
     if ends.iter().all(|end| face[*end].tangent.is_none()) {
         return Some(Facing::Foot(from.at + along * normal));
     }
-    let slant = |other: usize| {
-        let ruling = (face[other].at - from.at).normalize_or_zero();
-        Some(
-            [face[corner].tangent?, face[other].tangent?]
-                .iter()
-                .map(|tangent| tangent.dot(ruling).powi(2))
-                .sum::<f64>(),
-        )
+    let to = |other: usize| {
+        face[other].tangent?;
+        Some(slant(&face[corner], &face[other]))
     };
     let mut best = ends[usize::from(across > 0.5)];
     if face[best].tangent.is_none() {
         best = ends[usize::from(across <= 0.5)];
     }
-    let mut least = slant(best)?;
+    let mut least = to(best)?;
     for step in [1, count - 1] {
         let mut at = (best + step) % count;
-        while let Some(cost) = slant(at).filter(|cost| *cost < least) {
+        while let Some(cost) = to(at).filter(|cost| *cost < least) {
             (best, least) = (at, cost);
             at = (at + step) % count;
         }

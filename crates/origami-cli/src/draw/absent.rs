@@ -5,7 +5,7 @@ use std::path::Path;
 
 use origami::{CreasePattern, Error};
 
-use super::{Film, Subject};
+use super::{Faults, Film, Subject};
 use crate::args::PictureArgs;
 use crate::backend::Backend;
 use crate::files::Format;
@@ -75,6 +75,16 @@ pub(crate) fn pattern(
     _format: Format,
     _artist: &Artist,
     _pattern: &CreasePattern,
+    _writer: &mut dyn Write,
+) -> Result<(), Error> {
+    Err(absent())
+}
+
+pub(crate) fn faulty_pattern(
+    _format: Format,
+    _artist: &Artist,
+    _pattern: &CreasePattern,
+    _faults: &Faults<'_>,
     _writer: &mut dyn Write,
 ) -> Result<(), Error> {
     Err(absent())

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use origami::picture::{Figure, Glb, Image, Picture};
+use origami::picture::{Figure, Glb, Image, Marks, Picture};
 use origami::{CreasePattern, Error};
 
 use super::{Artist, Subject};
@@ -41,11 +41,35 @@ pub(super) fn pattern_png(artist: &Artist, pattern: &CreasePattern, writer: &mut
     draw_pattern(artist, pattern, &artist.style.pattern(SIZE))?.write_png(writer)
 }
 
+/// The same with marks where something is wrong; `caption` is the line below where none was asked for.
+pub(super) fn marked_png(
+    artist: &Artist,
+    pattern: &CreasePattern,
+    (marks, caption): (&Marks, &str),
+    writer: &mut dyn Write,
+) -> Result<(), Error> {
+    refuse_bent(pattern)?;
+    let mut picture = artist.style.pattern(SIZE);
+    if picture.caption.is_empty() {
+        picture.caption = caption.to_owned();
+    }
+    let figure = Figure::of_pattern(pattern)?;
+    let view = marks.view(&picture, &figure)?;
+    let mut image = artist.draw(&picture, &figure, &view)?;
+    marks.draw(&mut image, &picture, &view, pattern);
+    image.write_png(writer)
+}
+
 /// The flat pattern as SVG.
-pub(super) fn svg(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Write) -> Result<(), Error> {
+pub(super) fn svg(
+    artist: &Artist,
+    pattern: &CreasePattern,
+    marks: &Marks,
+    writer: &mut dyn Write,
+) -> Result<(), Error> {
     refuse_bent(pattern)?;
     let Picture { theme, edges, width, height, .. } = artist.style.pattern(SIZE);
-    let svg = origami::picture::pattern::svg(pattern, &theme, edges, f64::from(width.max(height)));
+    let svg = origami::picture::pattern::svg_with(pattern, &theme, edges, f64::from(width.max(height)), marks);
     writer.write_all(svg.as_bytes()).map_err(|source| Error::Io { path: "-".into(), source })
 }
 

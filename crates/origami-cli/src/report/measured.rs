@@ -33,6 +33,8 @@ pub(crate) enum Ending {
     Converged,
     StepsDone,
     StepLimit,
+    /// A triangle was crushed to a line.
+    Crushed,
     /// What computes gave up; in a sweep only.
     Failed,
     /// Also what holds of a state that no solver arrived at.
@@ -106,6 +108,7 @@ impl From<Stop> for Ending {
         match stop {
             Stop::Converged => Self::Converged,
             Stop::StepsDone => Self::StepsDone,
+            Stop::Crushed => Self::Crushed,
             // The command line breaks nothing off.
             _ => Self::StepLimit,
         }

@@ -191,6 +191,12 @@ codes! {
         SinglePrecision = "single-precision",
         /// A sheet that came to rest strained.
         StrainedAtRest = "strained-at-rest",
+        /// A sheet that came to rest without strain, with a crease far from its angle.
+        CreaseOffTarget = "crease-off-target",
+        /// A crease that ends inside a face, and is far from its angle for it.
+        OpenCrease = "open-crease",
+        /// Triangles that were crushed to a line while the sheet was folded.
+        CrushedTriangle = "crushed-triangle",
         /// Something that was asked for is not to be had, and something else was taken.
         Fallback = "fallback",
         /// An end that came near a line or another end, and was joined to it.
@@ -258,7 +264,7 @@ mod tests {
              face-turned face-clockwise face-without-area thin-face missing-letters missing-angles tilted-plane \
              lower-case unknown-letter letter-on-contour boundary-inside boundary-cut closed-cut angle-on-boundary \
              null-angle angle-on-unassigned angle-on-flat angle-past-flat opposite-signs over-folding slivers \
-             single-precision strained-at-rest fallback near-miss-joined border-joined \
+             single-precision strained-at-rest crease-off-target open-crease crushed-triangle fallback near-miss-joined border-joined \
              border-closed paper-lost faces-repaired crease-in-hole near-miss radians unknown-key other-frame"
         );
     }

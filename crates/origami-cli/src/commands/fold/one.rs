@@ -6,7 +6,7 @@ use origami::error::WarningCode;
 use origami::export::Template;
 use origami::measure::attitude;
 use origami::model::Model;
-use origami::solve::{Failed, Progress, Stop, fold_path};
+use origami::solve::{Failed, Progress, Stop, crushed_triangles, fold_path};
 use origami::{CreasePattern, Error, Warning, measure};
 
 use super::summary::{self, Told};
@@ -140,6 +140,9 @@ fn attempt(
                 ..Measured::default()
             };
             run.diverged = Some(Divergence::from(diverged));
+            let crushed = measure::crushed(&model, &diverged.last_good.positions);
+            run.scene.warnings.extend(crushed.iter().map(Note::from));
+            told.warnings.extend(crushed);
             let held = failed.states.iter().map(|folded| Measured::new(&model, folded));
             run.frames = settings.animated.then(|| held.collect());
             told.errors.push(format!("{input}: {failed}; {}", settings.advice()));
@@ -147,9 +150,9 @@ fn attempt(
         }
     };
 
-    let strained = states.last().and_then(|folded| measure::strained_at_rest(&model, folded));
-    run.scene.warnings.extend(strained.iter().map(Note::from));
-    told.warnings.extend(strained);
+    let at_the_end = states.last().map(|folded| measure::folded_warnings(&pattern, &model, folded)).unwrap_or_default();
+    run.scene.warnings.extend(at_the_end.iter().map(Note::from));
+    told.warnings.extend(at_the_end);
     let frames: Vec<Measured> = states.iter().map(|folded| Measured::new(&model, folded)).collect();
     run.measured = overall(&frames);
     run.frames = settings.animated.then_some(frames);
@@ -192,9 +195,11 @@ fn attempt(
     }
 
     told.summary = Some(summary::line(&run));
-    let limited = states.iter().chain(stages.iter().flatten()).find(|folded| folded.stop == Stop::StepLimit);
+    let mut ended = states.iter().chain(stages.iter().flatten());
+    let limited = ended.find(|folded| matches!(folded.stop, Stop::StepLimit | Stop::Crushed));
     if let Some(folded) = limited {
-        told.errors.push(summary::not_converged(input, folded, settings.solver_name, settings.tolerance));
+        let crushed = !crushed_triangles(&model, &folded.state.positions).is_empty();
+        told.errors.push(summary::not_converged(input, folded, crushed, settings.solver_name, settings.tolerance));
     }
     let exit = if limited.is_some() { Exit::NotConverged } else { Exit::Done };
     Ok((exit, Some(Report::Folded(Box::new(run)))))

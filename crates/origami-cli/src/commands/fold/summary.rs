@@ -39,7 +39,7 @@ pub(super) fn line(run: &Run) -> String {
     line += match measured.stop {
         Ending::Converged => "converged",
         Ending::StepsDone => "as many as asked",
-        Ending::StepLimit | Ending::Failed | Ending::Diverged => "not converged",
+        Ending::StepLimit | Ending::Crushed | Ending::Failed | Ending::Diverged => "not converged",
     };
     line += &match measured.distance {
         Some(distance) if distance.is_finite() => format!(" (distance {} of the radius)", short(distance)),
@@ -62,8 +62,22 @@ pub(super) fn line(run: &Run) -> String {
     line + &format!(", {}", duration(Duration::from_secs_f64(total)))
 }
 
-/// The step limit came first.
-pub(super) fn not_converged(input: &Input, folded: &Folded, solver: SolverName, tolerance: f64) -> String {
+/// The step limit came first, or a triangle was crushed, which more steps do not mend.
+pub(super) fn not_converged(
+    input: &Input,
+    folded: &Folded,
+    crushed: bool,
+    solver: SolverName,
+    tolerance: f64,
+) -> String {
+    if crushed {
+        return format!(
+            "{input}: not converged at {} % after {} steps: a triangle is crushed to a line, where forces have no rest; the \
+             output says so",
+            plain(percent_of(folded)),
+            grouped(folded.steps),
+        );
+    }
     if solver == SolverName::Newton {
         return format!(
             "{input}: not converged at {} % after {} steps: the largest force is {}; the output says so; \

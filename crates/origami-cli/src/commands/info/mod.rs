@@ -1,6 +1,7 @@
 //! `origami info`: as much of a file as can be told, and why not more.
 
 mod facts;
+mod flat;
 mod text;
 
 use crate::args::InfoArgs;

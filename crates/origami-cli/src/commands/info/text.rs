@@ -15,6 +15,7 @@ pub(super) fn of(facts: &Facts) -> String {
     // Writing to a string cannot fail.
     let _ = facts.file.iter().try_for_each(|part| file(&mut text, part));
     let _ = facts.pattern.iter().try_for_each(|part| pattern(&mut text, part));
+    let _ = facts.flat.iter().try_for_each(|part| part.tell(&mut text));
     let _ = facts.model.iter().try_for_each(|part| model(&mut text, part));
     for warning in &facts.spoken_warnings {
         let _ = writeln!(text, "  warning     {}", plain(&warning.to_string()));

@@ -11,6 +11,7 @@ pub(super) struct Counts {
     converged: usize,
     steps_done: usize,
     step_limit: usize,
+    crushed: usize,
     diverged: usize,
     failed: usize,
 }
@@ -22,6 +23,7 @@ impl Counts {
             converged: of(Ending::Converged),
             steps_done: of(Ending::StepsDone),
             step_limit: of(Ending::StepLimit),
+            crushed: of(Ending::Crushed),
             diverged: of(Ending::Diverged),
             failed: of(Ending::Failed),
         }
@@ -32,7 +34,7 @@ impl Counts {
         match self {
             Self { failed: 1.., .. } => Exit::BadInput,
             Self { diverged: 1.., .. } => Exit::Diverged,
-            Self { step_limit: 1.., .. } => Exit::NotConverged,
+            Self { step_limit: 1.., .. } | Self { crushed: 1.., .. } => Exit::NotConverged,
             _ => Exit::Done,
         }
     }
@@ -44,6 +46,7 @@ impl Counts {
             (self.converged, "converged"),
             (self.steps_done, "with the asked number of steps"),
             (self.step_limit, "not converged"),
+            (self.crushed, "with a triangle crushed"),
             (self.diverged, "diverged"),
             (self.failed, "failed"),
         ];
@@ -86,6 +89,9 @@ impl Counts {
             (_, Some(diverged)) => format!("at step {}; {advice}", diverged.step),
             _ => advice.to_owned(),
         });
+        complain(self.crushed, Ending::Crushed, "with a triangle crushed to a line", &|row| {
+            format!("forces have no rest there, given up after {} steps", grouped(row.measured.steps))
+        });
         complain(self.step_limit, Ending::StepLimit, "not converged", &|row| {
             if table.head.solver == "newton" {
                 let force = row.measured.residual.map_or_else(|| "not known".to_owned(), short);
@@ -119,22 +125,31 @@ mod tests {
 
     #[test]
     fn the_most_severe_ending_counts_and_each_is_told() {
-        let all = [Ending::Converged, Ending::StepsDone, Ending::StepLimit, Ending::Diverged, Ending::Failed];
+        let all = [
+            Ending::Converged,
+            Ending::StepsDone,
+            Ending::StepLimit,
+            Ending::Crushed,
+            Ending::Diverged,
+            Ending::Failed,
+        ];
         let exits = (1..=all.len()).map(|n| Counts::of(&table(&all[..n]).instances).exit());
-        let expected = [Exit::Done, Exit::Done, Exit::NotConverged, Exit::Diverged, Exit::BadInput];
+        let expected = [Exit::Done, Exit::Done, Exit::NotConverged, Exit::NotConverged, Exit::Diverged, Exit::BadInput];
         assert_eq!(exits.collect::<Vec<_>>(), expected);
 
         let table = table(&all);
         let counts = Counts::of(&table.instances);
-        let line = "a.fold: 5 sheets, 1 converged, 1 with the asked number of steps, 1 not converged, 1 diverged, 1 failed, 0 ms";
+        let line = "a.fold: 6 sheets, 1 converged, 1 with the asked number of steps, 1 not converged, 1 with a triangle crushed, \
+                    1 diverged, 1 failed, 0 ms";
         assert_eq!(counts.line(&table), line);
-        let complaints = counts.complaints(&table, Some((3, "diverged at step 3")), "try less");
+        let complaints = counts.complaints(&table, Some((4, "diverged at step 3")), "try less");
         let expected = [
-            "a.fold: 1 of 5 failed; the first is 4 at 50 %: the adapter was lost",
-            "a.fold: 1 of 5 diverged; the first is 3 at 50 %: diverged at step 3; try less",
-            "a.fold: 1 of 5 not converged; the first is 2 at 50 %: an unknown distance from the equilibrium after 0 steps",
+            "a.fold: 1 of 6 failed; the first is 5 at 50 %: the adapter was lost",
+            "a.fold: 1 of 6 diverged; the first is 4 at 50 %: diverged at step 3; try less",
+            "a.fold: 1 of 6 with a triangle crushed to a line; the first is 3 at 50 %: forces have no rest there",
+            "a.fold: 1 of 6 not converged; the first is 2 at 50 %: an unknown distance from the equilibrium after 0 steps",
         ];
-        assert_eq!(complaints.len(), 3);
+        assert_eq!(complaints.len(), 4);
         assert!(complaints.iter().zip(expected).all(|(told, expected)| told.starts_with(expected)), "{complaints:?}");
     }
 }

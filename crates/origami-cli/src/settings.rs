@@ -11,7 +11,7 @@ use crate::args::{
     SweepArgs,
 };
 use crate::backend::{Backend, Method};
-use crate::draw::{Film, Style};
+use crate::draw::{self, Film, Style};
 use crate::numbers::plain;
 
 /// Stages after the flat one in a contact sheet, where nothing is asked for.
@@ -208,7 +208,8 @@ pub(crate) fn oddities_of_picture(args: &PictureArgs, drawn: bool) -> Vec<String
     if !drawn && *args != PictureArgs::default() {
         return vec!["options of pictures have no effect: none is asked for".to_owned()];
     }
-    args.idle_of_maps().map(|name| format!("{name} has no effect without --map or --strain")).collect()
+    let idle = args.idle_of_maps().map(|name| format!("{name} has no effect without --map or --strain"));
+    idle.chain(draw::oddities(args)).collect()
 }
 
 /// The same of a sweep, where either solver takes the perturbation.

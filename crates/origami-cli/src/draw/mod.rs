@@ -25,7 +25,7 @@ pub(crate) use {
     film::film,
     formats::{pattern, sheet},
     limits::{check_contact, check_film},
-    style::Style,
+    style::{Style, oddities},
 };
 
 use origami::{CreasePattern, Model, State};

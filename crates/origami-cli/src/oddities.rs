@@ -3,6 +3,7 @@
 use origami::solve::{DEFAULT_MAX_STEPS, Sweep};
 
 use crate::args::{BackendName, FoldArgs, PictureArgs, RenderArgs, SolverName, SolvingArgs, SweepArgs, is_named};
+use crate::draw;
 use crate::files::Format;
 use crate::numbers::plain;
 use crate::threads;
@@ -57,9 +58,8 @@ impl Drawn {
         let by: &[Self] = match option {
             "--size" | "--background" => &[Sheet, Pattern, Svg],
             "--samples" | "--line-width" | "--caption" => &[Sheet, Pattern],
-            "--camera" | "--azimuth" | "--elevation" | "--roll" | "--zoom" | "--perspective" | "--no-legend" => {
-                &[Sheet]
-            }
+            "--camera" | "--azimuth" | "--elevation" | "--roll" | "--zoom" | "--perspective" | "--no-legend"
+            | "--shading" => &[Sheet],
             "--strain" | "--map" | "--colours" | "--clip" => &[Sheet, Glb],
             _ => &[Sheet, Pattern, Svg, Glb],
         };
@@ -91,6 +91,9 @@ pub(crate) fn of_picture(args: &PictureArgs, drawn: &[Drawn]) -> Vec<String> {
         let longer = width.max(height);
         oddities
             .push(format!("--size {width}x{height}: SVG has the pattern's proportions, its longer side is {longer}"));
+    }
+    if !only_svg {
+        oddities.extend(draw::oddities(args));
     }
     oddities
 }

@@ -35,10 +35,10 @@ impl Figure {
 }
 
 impl Picture {
-    /// This picture as crease patterns are drawn: from above, on plain white paper, facets in grey.
+    /// This picture as crease patterns are drawn: from above, on plain white paper, facets in grey, lines with their dashes.
     #[must_use]
     pub fn for_pattern(self) -> Self {
-        Self { camera: Camera::top(), theme: self.theme.for_pattern(), edges: LineSet::ALL, ..self }
+        Self { camera: Camera::top(), theme: self.theme.for_pattern(), edges: LineSet::ALL, dashed: true, ..self }
     }
 }
 

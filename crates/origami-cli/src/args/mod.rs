@@ -26,7 +26,7 @@ pub(crate) use look::{Ground, check_size};
 pub(crate) use material::MaterialArgs;
 pub(crate) use pattern::PatternArgs;
 #[cfg(feature = "render")]
-pub(crate) use picture::{CameraName, ColoursName, ThemeName};
+pub(crate) use picture::{CameraName, ColoursName, ShadingName, ThemeName};
 pub(crate) use picture::{MapName, PictureArgs};
 pub(crate) use reading::ReadingArgs;
 pub(crate) use render::{RenderArgs, ViewName};

@@ -17,7 +17,7 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "N", value_parser = samples)]
     pub(crate) samples: Option<u32>,
 
-    /// From where
+    /// From where [default: auto, or default if an angle is given]
     #[arg(long, value_enum, value_name = "VIEW")]
     pub(crate) camera: Option<CameraName>,
 
@@ -44,6 +44,10 @@ pub(crate) struct PictureArgs {
     /// Colours of paper, ground and lines
     #[arg(long, value_enum, value_name = "THEME")]
     pub(crate) theme: Option<ThemeName>,
+
+    /// Light on the paper [default: soft]
+    #[arg(long, value_enum, value_name = "SHADING")]
+    pub(crate) shading: Option<ShadingName>,
 
     /// Behind the sheet: `transparent`, `white`, `black` or `#rrggbb`
     #[arg(long, value_name = "COLOUR", value_parser = Ground::parse)]
@@ -75,7 +79,7 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "X", value_parser = positive)]
     pub(crate) clip: Option<f64>,
 
-    /// Leave out the colour bar
+    /// Leave out the colour bar; where it would take more than two fifths of the width it is left out anyway
     #[arg(long)]
     pub(crate) no_legend: bool,
 
@@ -105,6 +109,7 @@ impl PictureArgs {
             ("--background", self.background.is_some()),
             ("--edges", self.edges.is_some()),
             ("--line-width", self.line_width.is_some()),
+            ("--shading", self.shading.is_some()),
             ("--strain", self.strain),
             ("--map", self.map.is_some()),
             ("--colours", self.colours.is_some()),
@@ -127,6 +132,8 @@ impl PictureArgs {
 /// From where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum CameraName {
+    /// A flat sheet from its face, any other from the left in front, above
+    Auto,
     /// From the left in front, above
     Default,
     /// Straight down, as crease patterns are drawn
@@ -137,6 +144,17 @@ pub(crate) enum CameraName {
     Isometric,
 }
 
+/// Light on the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ShadingName {
+    /// Valleys and what lies under a flap are darker
+    Soft,
+    /// Each face by the way that it is turned alone
+    Flat,
+    /// None: the colours of the theme
+    None,
+}
+
 /// Colours of paper, ground and lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum ThemeName {
@@ -144,7 +162,7 @@ pub(crate) enum ThemeName {
     Paper,
     /// White paper on white
     White,
-    /// Greys; dashes tell mountain from valley
+    /// Greys; in patterns dashes tell mountain from valley
     Mono,
     /// For slides
     Dark,

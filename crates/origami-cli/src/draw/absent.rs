@@ -39,6 +39,10 @@ impl Artist {
     }
 }
 
+pub(crate) fn oddities(_args: &PictureArgs) -> Vec<String> {
+    Vec::new()
+}
+
 pub(crate) fn check_contact(_style: &Style, _states: usize) -> Result<(), String> {
     Ok(())
 }

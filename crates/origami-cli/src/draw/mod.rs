@@ -28,7 +28,7 @@ pub(crate) use {
     film::film,
     formats::{faulty_pattern, pattern, sheet},
     limits::{check_contact, check_film},
-    style::Style,
+    style::{Style, oddities},
 };
 
 use origami::glam::DVec3;

@@ -14,18 +14,16 @@ pub(super) const SIZE: [u32; 2] = [1000, 800];
 pub(super) fn png(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
     let Some(figure) = last(artist, subject) else { return Ok(()) };
     let picture = artist.style.picture(SIZE);
-    let view = picture.view(&figure, figure.positions.iter().copied())?;
+    let view = artist.style.view(&picture, &figure)?;
     artist.draw(&picture, &figure, &view)?.write_png(writer)
 }
 
 /// The figure of the last state.
 fn last(artist: &Artist, subject: Subject<'_>) -> Option<Figure> {
     let (_, state) = subject.states.last()?;
-    let mut figure = Figure::new(subject.pattern, subject.model, &state.positions);
     let only = [(0.0, *state)];
     let clip = artist.style.clip(Subject { states: &only, ..subject });
-    artist.style.mapped(&mut figure, subject, state, clip);
-    Some(figure)
+    Some(artist.style.figure(subject, state, clip))
 }
 
 /// A picture of the flat pattern.

@@ -5,7 +5,7 @@ use origami::model::{Material, Model};
 #[cfg(feature = "newton")]
 use origami::solve::Newton;
 use origami::solve::{Dynamics, Integrator, Precision, Relax, TimeStep, frame_percents, time_step};
-use origami::{Warning, measure};
+use origami::{CreasePattern, Warning, measure};
 
 use crate::args::{
     ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PictureArgs, PrecisionName, SolverName, SolvingArgs,
@@ -193,9 +193,15 @@ impl SolvingArgs {
 }
 
 /// What is dangerous about folding `model` so far. On a GPU, which computes in single precision, the tolerance counts too.
-pub(crate) fn scene_warnings(model: &Model, percents: &[f64], on_gpu: Option<f64>) -> Vec<Warning> {
+pub(crate) fn scene_warnings(
+    pattern: &CreasePattern,
+    model: &Model,
+    percents: &[f64],
+    on_gpu: Option<f64>,
+) -> Vec<Warning> {
     let mut warnings = measure::scene_warnings(model, percents);
     warnings.extend(on_gpu.and_then(|tolerance| measure::single_precision(model, tolerance)));
+    warnings.iter_mut().for_each(|warning| pattern.name_sources(warning));
     warnings
 }
 

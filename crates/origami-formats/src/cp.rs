@@ -166,7 +166,7 @@ mod tests {
             ("-1 0 0 1 1", "line 5: \"-1\" is no type of a line"),
             ("M 0 0 1 1", "line 5: \"M\" is no type of a line"),
             ("1 0 0 NaN 1", "line 5: \"NaN\" is not finite; expected a number for x2"),
-            ("1 0 0 1 1e999", "line 5: \"1e999\" is too large; expected a finite number for y2"),
+            ("1 0 0 1 1e999", "line 5: \"1e999\" is too large; expected at most 1e100 for y2"),
             ("2 \u{1b}[31m 0 1 1", "line 5: \"\u{fffd}[31m\" is no number"),
         ] {
             let error = read_text(format!("{SQUARE}{line}\n{SQUARE}")).expect_err(line);

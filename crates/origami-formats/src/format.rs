@@ -25,11 +25,13 @@ pub enum Format {
     Svg,
     /// Wavefront OBJ: faces, and lines for creases.
     Obj,
+    /// DXF as text: lines and curves whose layers and colours are letters.
+    Dxf,
 }
 
 impl Format {
     /// All of them.
-    pub const ALL: &[Self] = &[Self::Fold, Self::Cp, Self::Opx, Self::Ori, Self::Orh, Self::Svg, Self::Obj];
+    pub const ALL: &[Self] = &[Self::Fold, Self::Cp, Self::Opx, Self::Ori, Self::Orh, Self::Svg, Self::Obj, Self::Dxf];
 
     /// The format of a file that is not compressed, by its content; `name` is the file's, and decides where the content
     /// does not.
@@ -69,6 +71,7 @@ impl Format {
             Self::Orh => "orh",
             Self::Svg => "svg",
             Self::Obj => "obj",
+            Self::Dxf => "dxf",
         }
     }
 }
@@ -84,6 +87,7 @@ impl fmt::Display for Format {
             Self::Orh => "ORH (Orihime)",
             Self::Svg => "SVG",
             Self::Obj => "OBJ",
+            Self::Dxf => "DXF",
         })
     }
 }

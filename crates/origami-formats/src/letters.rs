@@ -18,7 +18,14 @@ pub(crate) fn of_name(name: &str) -> Option<&'static str> {
     let whole = name.trim().to_lowercase();
     let is = |word: &str| whole == word || words.iter().any(|own| own == word);
     let by_word = WORDS.iter().find(|(_, known)| known.iter().any(|word| is(word))).map(|(letter, _)| *letter);
-    by_word.or_else(|| WORDS.iter().map(|(letter, _)| *letter).find(|letter| whole == letter.to_lowercase()))
+    // A letter alone, with a number behind it or not.
+    let alone = || words.first().filter(|_| words.len() == 1);
+    by_word.or_else(|| {
+        WORDS
+            .iter()
+            .map(|(letter, _)| *letter)
+            .find(|letter| alone().is_some_and(|word| word.eq_ignore_ascii_case(letter)))
+    })
 }
 
 /// The words of a name: `MountainLine`, `mountain_line` and `MOUNTAIN 1` have the word `mountain`.
@@ -51,6 +58,8 @@ mod tests {
             ("AuxiliaryLine", Some("F")),
             ("CUT", Some("C")),
             ("m", Some("M")),
+            ("V.001", Some("V")),
+            ("group b", None),
             ("J", Some("J")),
             ("Paper border", Some("B")),
             ("noname", None),

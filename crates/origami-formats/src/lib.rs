@@ -24,6 +24,7 @@
 mod colours;
 pub mod cp;
 mod curves;
+pub mod dxf;
 mod foreign;
 mod format;
 mod gzip;
@@ -111,6 +112,7 @@ pub fn open(bytes: &[u8], name: Option<&Path>, options: &Options) -> Result<Open
         Format::Orh => orh::read(&bytes)?,
         Format::Svg => svg::read(&bytes, options)?,
         Format::Obj => obj::read(&bytes, options)?,
+        Format::Dxf => dxf::read(&bytes, options)?,
     };
     if document.key_frame.edges_vertices.as_ref().is_some_and(Vec::is_empty) && format != Format::Fold {
         let problem = format!("a {format} file without lines");

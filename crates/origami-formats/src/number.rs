@@ -4,6 +4,9 @@ use origami_core::error::{Error, ErrorCode, Place};
 
 use crate::text::quoted;
 
+/// The greatest size of a pattern that can be computed with; arcs and splines stay finite up to there.
+const MOST: f64 = 1e100;
+
 /// The finite number that `word` is. A decimal comma is taken for a point; whoever splits at commas leaves none.
 ///
 /// # Errors
@@ -13,9 +16,9 @@ pub(crate) fn finite(word: &str, place: impl FnOnce() -> Place, what: &str) -> R
         Err(Error::new(code, place(), format!("{} {problem}", quoted(word)), expected))
     };
     match parse(word) {
-        Some(number) if number.is_finite() => Ok(number),
+        Some(number) if number.abs() <= MOST => Ok(number),
         Some(_) if word.bytes().any(|byte| byte.is_ascii_digit()) => {
-            refuse(ErrorCode::NumberTooLarge, "is too large", format!("a finite number for {what}"))
+            refuse(ErrorCode::NumberTooLarge, "is too large", format!("at most {MOST:e} for {what}"))
         }
         Some(_) => refuse(ErrorCode::NotFinite, "is not finite", format!("a number for {what}")),
         None => refuse(ErrorCode::WrongType, "is no number", format!("a number for {what}")),
@@ -46,6 +49,7 @@ mod tests {
             ("NaN", ErrorCode::NotFinite),
             ("-Infinity", ErrorCode::NotFinite),
             ("1e999", ErrorCode::NumberTooLarge),
+            ("-1e101", ErrorCode::NumberTooLarge),
             ("l", ErrorCode::WrongType),
             ("", ErrorCode::WrongType),
             ("1,2,3", ErrorCode::WrongType),

@@ -112,6 +112,9 @@ fn xml(head: &str, bytes: &[u8]) -> Content {
 
 /// Of other text most of the first lines tell.
 fn lines(head: &str, bytes: &[u8]) -> Content {
+    if is_dxf(head) {
+        return Content::Known(Format::Dxf);
+    }
     const OBJ: [&str; 12] = ["v", "vt", "vn", "f", "l", "o", "g", "s", "p", "usemtl", "mtllib", "#e"];
     let (mut all, mut of_cp, mut of_obj, mut vertices) = (0, 0, 0, 0);
     for line in text::numbered_lines(head).map(|(_, line)| line.trim()).filter(|line| !line.is_empty()).take(LINES) {
@@ -135,5 +138,17 @@ fn lines(head: &str, bytes: &[u8]) -> Content {
         Content::Known(Format::Orh)
     } else {
         Content::Unknown
+    }
+}
+
+/// Whether the pairs begin with comments (999) and then a section.
+fn is_dxf(head: &str) -> bool {
+    let mut lines = text::numbered_lines(head).map(|(_, line)| line.trim());
+    loop {
+        match (lines.next(), lines.next()) {
+            (Some("999"), Some(_)) => {}
+            (Some("0"), Some("SECTION")) => return true,
+            _ => return false,
+        }
     }
 }

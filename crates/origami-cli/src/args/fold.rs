@@ -9,7 +9,7 @@ use origami::solve::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, TimeStep};
 
 use super::hold::hold;
 use super::values::{finite, positive, share, time_step};
-use super::{MaterialArgs, PictureArgs};
+use super::{MaterialArgs, PictureArgs, ReadingArgs};
 use crate::files::Format;
 
 const EXAMPLES: &str = "\
@@ -36,13 +36,13 @@ pub(crate) const ADAPTER_VARIABLE: &str = "ORIGAMI_ADAPTER";
 
 /// Fold crease patterns.
 ///
-/// Reads FOLD files, folds each sheet to a percentage of its fold angles and writes the folded form. The units and the
+/// Reads crease patterns, folds each sheet to a percentage of its fold angles and writes the folded form. The units and the
 /// numbering of vertices, edges and faces are those of the input. A line on standard output says whether it converged,
 /// how strained the sheet is and how long it took. Files are written whole or not at all.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, override_usage = "origami fold [OPTIONS] <INPUT>... -o <OUT>")]
 pub(crate) struct FoldArgs {
-    /// FOLD files with crease patterns; `-` is standard input
+    /// Crease patterns: FOLD, CP, OPX, ORI, SVG, OBJ and others; `-` is standard input
     #[arg(value_name = "INPUT", required = true)]
     pub(crate) inputs: Vec<PathBuf>,
 
@@ -123,6 +123,10 @@ pub(crate) struct FoldArgs {
     /// Say nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+
+    /// How the input is read.
+    #[command(flatten)]
+    pub(crate) reading: ReadingArgs,
 
     /// The way of solving.
     #[command(flatten)]

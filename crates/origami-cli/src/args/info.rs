@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::MaterialArgs;
+use super::{MaterialArgs, ReadingArgs};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -14,14 +14,14 @@ Examples:
 
 Exit codes: 0 the pattern can be folded, 1 it cannot.";
 
-/// Tell what is in a FOLD file and what a model of it would hold.
+/// Tell what is in a file and what a model of it would hold.
 ///
 /// Frames, vertices, edges by letter, faces, what is odd about them, what a model would build and leave out, and its
 /// time steps. Nothing is folded.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct InfoArgs {
-    /// A FOLD file; `-` is standard input
+    /// A crease pattern: FOLD, CP, OPX, ORI, SVG, OBJ or another; `-` is standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
 
@@ -32,6 +32,10 @@ pub(crate) struct InfoArgs {
     /// As JSON; docs/REPORT.md has the keys
     #[arg(long)]
     pub(crate) json: bool,
+
+    /// How the input is read.
+    #[command(flatten)]
+    pub(crate) reading: ReadingArgs,
 
     /// The paper.
     #[command(flatten)]

@@ -9,6 +9,7 @@ mod look;
 mod material;
 mod pattern;
 mod picture;
+mod reading;
 mod render;
 mod study;
 mod sweep;
@@ -26,6 +27,7 @@ pub(crate) use pattern::PatternArgs;
 #[cfg(feature = "render")]
 pub(crate) use picture::{CameraName, ColoursName, ThemeName};
 pub(crate) use picture::{MapName, PictureArgs};
+pub(crate) use reading::ReadingArgs;
 pub(crate) use render::{RenderArgs, ViewName};
 pub(crate) use study::StudyArgs;
 #[cfg(feature = "study")]

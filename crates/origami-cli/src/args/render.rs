@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::{ADAPTER_VARIABLE, BackendName, PictureArgs};
+use super::{ADAPTER_VARIABLE, BackendName, PictureArgs, ReadingArgs};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -23,7 +23,7 @@ Exit codes: 0 done, 1 bad input or usage.";
 #[derive(Args)]
 #[command(after_help = EXAMPLES, override_usage = "origami render [OPTIONS] <INPUT> -o <OUT>")]
 pub(crate) struct RenderArgs {
-    /// A FOLD file; `-` is standard input
+    /// A crease pattern or folded form: FOLD, CP, OPX, ORI, SVG, OBJ or another; `-` is standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
 
@@ -52,6 +52,10 @@ pub(crate) struct RenderArgs {
     /// The GPU adapter to use with --backend gpu: part of a name that `origami adapters` lists [default: the first]
     #[arg(long, value_name = "NAME", env = ADAPTER_VARIABLE, hide_env_values = true)]
     pub(crate) adapter: Option<String>,
+
+    /// How the input is read.
+    #[command(flatten)]
+    pub(crate) reading: ReadingArgs,
 
     /// How it looks.
     #[command(flatten)]

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 
+use super::ReadingArgs;
 use super::fold::ADAPTER_VARIABLE;
 use super::values::positive;
 
@@ -33,7 +34,7 @@ pub(crate) struct StudyArgs {
 
     /// Of accuracy: patterns in place of the shipped scenes
     ///
-    /// FOLD files, `-` for standard input, or names that `origami pattern --list` has; ./NAME is a file in any case.
+    /// Files with crease patterns, `-` for standard input, or names that `origami pattern --list` has; ./NAME is a file in any case.
     #[arg(value_name = "PATTERN")]
     pub(crate) patterns: Vec<PathBuf>,
 
@@ -60,6 +61,10 @@ pub(crate) struct StudyArgs {
     /// Say nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+
+    /// How the patterns are read.
+    #[command(flatten)]
+    pub(crate) reading: ReadingArgs,
 }
 
 /// What to study.

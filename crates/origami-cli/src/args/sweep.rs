@@ -11,7 +11,7 @@ use origami::solve::{Relax, Sweep};
 use super::hold::hold;
 use super::list::List;
 use super::values::{at_least_zero, finite, positive, share};
-use super::{SolverName, SolvingArgs};
+use super::{ReadingArgs, SolverName, SolvingArgs};
 use crate::files::Format;
 use crate::numbers::grouped;
 
@@ -53,7 +53,7 @@ Exit codes:
     })
 )]
 pub(crate) struct SweepArgs {
-    /// A FOLD file with a crease pattern; `-` is standard input
+    /// A crease pattern: FOLD, CP, OPX, ORI, SVG, OBJ or another; `-` is standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
 
@@ -93,6 +93,10 @@ pub(crate) struct SweepArgs {
     /// Say nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+
+    /// How the input is read.
+    #[command(flatten)]
+    pub(crate) reading: ReadingArgs,
 
     /// The way of solving.
     #[command(flatten)]

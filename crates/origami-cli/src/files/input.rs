@@ -1,51 +1,62 @@
 //! A file or standard input.
 
 use std::fmt;
-use std::io::{self, Read};
+use std::fs::File;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use origami::Error;
 use origami::fold::Document;
 
-use super::read;
+use super::read::{self, Opened, Reading};
 
-/// Where a pattern comes from.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Input {
-    /// Written `-`.
-    Stdin,
-    /// A file.
-    File(PathBuf),
+/// Where a pattern comes from, and how it is read.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Input {
+    /// `None` is standard input, written `-`.
+    path: Option<PathBuf>,
+    reading: Reading,
 }
 
 impl Input {
     /// As named on the command line.
-    pub(crate) fn new(path: &Path) -> Self {
-        if path.as_os_str() == "-" { Self::Stdin } else { Self::File(path.to_owned()) }
+    pub(crate) fn new(path: &Path, reading: &Reading) -> Self {
+        Self { path: (path.as_os_str() != "-").then(|| path.to_owned()), reading: reading.clone() }
+    }
+
+    /// The file; `None` for standard input.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        self.path.as_deref()
     }
 
     /// Reads and parses it.
     ///
     /// # Errors
-    /// As for [`Document::read`].
+    /// That it cannot be read, is no crease pattern or a wrong one.
     pub(crate) fn read(&self) -> Result<Document, Error> {
-        let (bytes, name) = match self {
-            Self::Stdin => {
-                let mut bytes = Vec::new();
-                (io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes), None)
-            }
-            Self::File(path) => (std::fs::read(path), Some(path.as_path())),
-        };
-        let bytes = bytes.map_err(|source| Error::Io { path: self.to_string(), source })?;
-        read::document(&bytes, name)
+        self.open().map(|opened| opened.document)
     }
 
-    /// The name of what is made from it, without folder and extension.
+    /// As [`read`](Self::read), and says what the file is.
+    ///
+    /// # Errors
+    /// As for [`read`](Self::read).
+    pub(crate) fn open(&self) -> Result<Opened, Error> {
+        let unreadable = |source| Error::Io { path: self.to_string(), source };
+        let bytes = match &self.path {
+            None => read::bytes_of(io::stdin().lock()),
+            Some(path) => read::bytes_of(File::open(path).map_err(unreadable)?),
+        };
+        self.reading.document(&bytes?.map_err(unreadable)?, self.file())
+    }
+
+    /// The name of what is made from it, without folder and extensions.
     pub(crate) fn stem(&self) -> String {
-        match self {
-            Self::Stdin => "stdin".to_owned(),
-            Self::File(path) => path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
-        }
+        let Some(path) = &self.path else { return "stdin".to_owned() };
+        let packed = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gz"));
+        let name = Path::new(path.file_stem().unwrap_or_default());
+        let name = if packed { name.file_stem().unwrap_or_default() } else { name.as_os_str() };
+        name.to_string_lossy().into_owned()
     }
 
     /// An error in it, as a person is told; those of the system name the file already.
@@ -59,9 +70,9 @@ impl Input {
 
 impl fmt::Display for Input {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Stdin => f.write_str("-"),
-            Self::File(path) => path.display().fmt(f),
+        match &self.path {
+            None => f.write_str("-"),
+            Some(path) => path.display().fmt(f),
         }
     }
 }

@@ -189,8 +189,8 @@ fn refuse_equal_targets(targets: &[Target]) -> Result<(), String> {
 
 /// One file may be folded into itself where that is said; a whole folder of crease patterns is not lost that way.
 fn refuse_replaced_input(input: &Input, targets: &[Target]) -> Result<(), String> {
-    let Input::File(path) = input else { return Ok(()) };
-    let input = Destination::File(path.clone());
+    let Some(path) = input.file() else { return Ok(()) };
+    let input = Destination::File(path.to_owned());
     match targets.iter().find(|target| target.folder.is_some() && target.destination.is(&input)) {
         Some(_) => Err(format!("{input}: would be replaced by its folded form; expected another folder")),
         None => Ok(()),

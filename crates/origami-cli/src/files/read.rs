@@ -1,18 +1,92 @@
 //! From bytes to a document: of any format, or of FOLD alone without the feature `formats`.
 
+use std::io::{self, Read};
 use std::path::Path;
 
 use origami::Error;
 use origami::fold::Document;
 
-/// The document in `bytes`; `name` is the file's, where it has one.
-#[cfg(feature = "formats")]
-pub(super) fn document(bytes: &[u8], name: Option<&Path>) -> Result<Document, Error> {
-    origami::formats::read(bytes, name, &origami::formats::Options::default())
+use crate::args::ReadingArgs;
+
+/// What was read, and what the file is, as people call it.
+pub(crate) struct Opened {
+    pub(crate) document: Document,
+    pub(crate) format: String,
 }
 
-/// The document in `bytes`.
+/// How files are read.
+#[cfg(feature = "formats")]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Reading(origami::formats::Options);
+
+#[cfg(feature = "formats")]
+impl Reading {
+    /// That of the arguments.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    pub(crate) fn new(args: &ReadingArgs) -> Result<Self, String> {
+        let mut options = origami::formats::Options::default();
+        if let Some(colours) = &args.colours {
+            options.colours = colours.parse().map_err(|error: Error| format!("--{error}"))?;
+        }
+        options.curve_tolerance = args.curve_tolerance;
+        Ok(Self(options))
+    }
+
+    /// The document in `bytes`; `name` is the file's, where it has one.
+    pub(super) fn document(&self, bytes: &[u8], name: Option<&Path>) -> Result<Opened, Error> {
+        let opened = origami::formats::open(bytes, name, &self.0)?;
+        let packed = if opened.compressed { ", compressed by gzip" } else { "" };
+        Ok(Opened { document: opened.document, format: format!("{}{packed}", opened.format) })
+    }
+}
+
+/// All bytes of a stream; one without end is refused.
+#[cfg(feature = "formats")]
+pub(super) fn bytes_of(stream: impl Read) -> Result<io::Result<Vec<u8>>, Error> {
+    origami::formats::bytes_of(stream)
+}
+
+/// How files are read.
 #[cfg(not(feature = "formats"))]
-pub(super) fn document(bytes: &[u8], _name: Option<&Path>) -> Result<Document, Error> {
-    Document::from_slice(bytes)
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Reading;
+
+#[cfg(not(feature = "formats"))]
+impl Reading {
+    /// Refuses what this build has not.
+    pub(crate) fn new(args: &ReadingArgs) -> Result<Self, String> {
+        if *args != ReadingArgs::default() {
+            return Err("options of formats other than FOLD: this build has no feature `formats`".to_owned());
+        }
+        Ok(Self)
+    }
+
+    /// The document in `bytes`, which are FOLD.
+    pub(super) fn document(&self, bytes: &[u8], name: Option<&Path>) -> Result<Opened, Error> {
+        use origami::error::{ErrorCode, Place};
+        let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace() && !b"\xef\xbb\xbf".contains(byte));
+        let named = name.and_then(Path::extension).is_some_and(|extension| extension.eq_ignore_ascii_case("fold"));
+        if !named && first.is_some_and(|first| !b"{[".contains(first)) {
+            let problem = "is no FOLD file, and this build was made without the feature `formats`";
+            return Err(Error::new(ErrorCode::NotAPattern, Place::key("the file"), problem, "FOLD, that is JSON"));
+        }
+        Ok(Opened { document: Document::from_slice(bytes)?, format: "FOLD".to_owned() })
+    }
+}
+
+/// All bytes of a stream; one without end is refused.
+#[cfg(not(feature = "formats"))]
+pub(super) fn bytes_of(stream: impl Read) -> Result<io::Result<Vec<u8>>, Error> {
+    use origami::error::{ErrorCode, Place};
+    /// As with the feature.
+    const MOST: u64 = 1 << 30;
+    let mut bytes = Vec::new();
+    let read = stream.take(MOST + 1).read_to_end(&mut bytes);
+    if bytes.len() as u64 > MOST {
+        let problem = format!("is larger than {MOST} bytes, or without end");
+        return Err(Error::new(ErrorCode::InputTooLarge, Place::key("the file"), problem, "a crease pattern"));
+    }
+    Ok(read.map(|_| bytes))
 }

@@ -20,12 +20,32 @@ pub(crate) struct Note {
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 enum At {
-    Key { frame: Option<usize>, key: String, index: Option<usize> },
-    Vertices { vertices: Vec<u32> },
-    Creases { creases: Vec<Crease> },
-    Triangles { triangles: Vec<[u32; 3]> },
-    Sheet { percent: Option<f64> },
-    Setting { setting: String },
+    Key {
+        frame: Option<usize>,
+        key: String,
+        index: Option<usize>,
+        #[serde(skip_serializing_if = "str::is_empty")]
+        source: Box<str>,
+    },
+    Line {
+        line: usize,
+        column: Option<usize>,
+    },
+    Vertices {
+        vertices: Vec<u32>,
+    },
+    Creases {
+        creases: Vec<Crease>,
+    },
+    Triangles {
+        triangles: Vec<[u32; 3]>,
+    },
+    Sheet {
+        percent: Option<f64>,
+    },
+    Setting {
+        setting: String,
+    },
     Nothing {},
 }
 
@@ -34,6 +54,8 @@ enum At {
 struct Crease {
     vertices: [u32; 2],
     edge: Option<u32>,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    source: Box<str>,
 }
 
 impl From<&Warning> for Note {
@@ -50,12 +72,16 @@ impl From<&Warning> for Note {
 impl From<&Place> for At {
     fn from(place: &Place) -> Self {
         match place {
-            Place::Key { frame, key, index, .. } => Self::Key { frame: *frame, key: key.to_string(), index: *index },
+            Place::Key { frame, key, index, source, .. } => {
+                Self::Key { frame: *frame, key: key.to_string(), index: *index, source: source.clone() }
+            }
+            Place::Line { line, column } => Self::Line { line: *line, column: *column },
             Place::Vertices(vertices) => Self::Vertices { vertices: vertices.iter().map(|v| v.0).collect() },
             Place::Creases(creases) => {
                 let one = |crease: &origami::error::CreasePlace| Crease {
                     vertices: crease.vertices.map(|v| v.0),
                     edge: crease.edge.map(|edge| edge.0),
+                    source: crease.source.clone(),
                 };
                 Self::Creases { creases: creases.iter().take(LISTED).map(one).collect() }
             }

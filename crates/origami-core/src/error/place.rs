@@ -60,20 +60,29 @@ pub enum Place {
 }
 
 /// Where a crease of the sheet is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct CreasePlace {
     /// Its ends.
     pub vertices: [VertexId; 2],
     /// The pattern's edge there; `None` for a diagonal that the triangulation added.
     pub edge: Option<EdgeId>,
+    /// Where the edge was written in a file of another format than FOLD, such as `line 12`; mostly empty.
+    pub source: Box<str>,
 }
 
 impl CreasePlace {
     /// A crease between `vertices`, along `edge` of the pattern.
     #[must_use]
     pub fn new(vertices: [VertexId; 2], edge: Option<EdgeId>) -> Self {
-        Self { vertices, edge }
+        Self { vertices, edge, source: "".into() }
+    }
+
+    /// This crease with where it was written before there was a FOLD file.
+    #[must_use]
+    pub fn written_at(mut self, at: &str) -> Self {
+        self.source = at.into();
+        self
     }
 }
 
@@ -107,7 +116,7 @@ impl Place {
         self
     }
 
-    /// This place with where its edge was written before there was a FOLD file, such as `line 12`. Only a [`Place::Key`]
+    /// This place with where its edge or face was written before there was a FOLD file, such as `line 12`. Only a [`Place::Key`]
     /// changes.
     #[must_use]
     pub fn written_at(mut self, at: &str) -> Self {
@@ -174,9 +183,9 @@ impl fmt::Display for Place {
             Self::Frame(frame) => write!(f, "frame {frame}"),
             Self::Line { line, column: Some(column) } => write!(f, "line {line} column {column}"),
             Self::Line { line, column: None } => write!(f, "line {line}"),
-            Self::Vertices(vertices) => list(f, ["vertex", "vertices"], vertices.iter().map(|v| [*v])),
-            Self::Creases(creases) => list(f, ["crease", "creases"], creases.iter().map(|crease| crease.vertices)),
-            Self::Triangles(triangles) => list(f, ["triangle", "triangles"], triangles.iter().copied()),
+            Self::Vertices(vertices) => list(f, ["vertex", "vertices"], vertices.iter().map(|v| ([*v], ""))),
+            Self::Creases(creases) => list(f, ["crease", "creases"], creases.iter().map(|c| (c.vertices, &*c.source))),
+            Self::Triangles(triangles) => list(f, ["triangle", "triangles"], triangles.iter().map(|t| (*t, ""))),
             Self::Sheet { percent: Some(percent) } => write!(f, "the sheet at {percent} %"),
             Self::Sheet { percent: None } => f.write_str("the sheet"),
             Self::Setting(name) => f.write_str(name),
@@ -188,18 +197,21 @@ impl fmt::Display for Place {
 /// How many elements of a list are written; the rest are counted.
 const NAMED: usize = 3;
 
-/// Such as `creases 0-4, 4-7, 7-9 and 12 more`.
-fn list<const N: usize>(
+/// Such as `creases 0-4, 4-7, 7-9 and 12 more`; elements with where they were written, if known.
+fn list<'e, const N: usize>(
     f: &mut fmt::Formatter<'_>,
     [one, many]: [&str; 2],
-    elements: impl ExactSizeIterator<Item = [VertexId; N]>,
+    elements: impl ExactSizeIterator<Item = ([VertexId; N], &'e str)>,
 ) -> fmt::Result {
     let count = elements.len();
     f.write_str(if count == 1 { one } else { many })?;
-    for (i, vertices) in elements.take(NAMED).enumerate() {
+    for (i, (vertices, source)) in elements.take(NAMED).enumerate() {
         f.write_str(if i == 0 { " " } else { ", " })?;
         for (j, vertex) in vertices.iter().enumerate() {
             write!(f, "{}{}", if j == 0 { "" } else { "-" }, vertex.0)?;
+        }
+        if !source.is_empty() {
+            write!(f, " ({source})")?;
         }
     }
     if count > NAMED { write!(f, " and {} more", count - NAMED) } else { Ok(()) }

@@ -118,6 +118,7 @@ impl SheetBuilder {
             faces: self.faces,
             fixed: Vec::new(),
             warnings: Vec::new(),
+            sources: Vec::new(),
         }
     }
 }

@@ -77,6 +77,8 @@ pub struct CreasePattern {
     pub edges_in_file: usize,
     /// Oddities of the file that were put right.
     pub warnings: Vec<Warning>,
+    /// For each edge where it was written in a file of another format, such as `line 12`; empty where nothing says it.
+    pub sources: Vec<Box<str>>,
 }
 
 impl CreasePattern {

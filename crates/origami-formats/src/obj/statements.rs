@@ -52,7 +52,7 @@ struct Reader {
     texture: Vec<DVec2>,
     /// Corners of faces and lines, with the line on which each stands.
     faces: Vec<(Vec<Corner>, usize)>,
-    lines: Vec<([Corner; 2], Option<&'static str>, Option<f64>, usize)>,
+    lines: Vec<([Corner; 2], Option<&'static str>, usize)>,
     /// The letters that the names of the object, group and material say.
     names: [Option<&'static str>; 3],
     odd: Lines,
@@ -80,7 +80,7 @@ impl Reader {
             "l" => {
                 let corners = self.corners(&words, 2)?;
                 let letter = self.names.iter().rev().find_map(|letter| *letter);
-                self.lines.extend(corners.windows(2).map(|ends| ([ends[0], ends[1]], letter, None, self.line)));
+                self.lines.extend(corners.windows(2).map(|ends| ([ends[0], ends[1]], letter, self.line)));
             }
             "o" => self.names = [letters::of_name(&words.join(" ")), None, None],
             "g" => self.names[1] = letters::of_name(&words.join(" ")),
@@ -153,7 +153,7 @@ impl Reader {
     /// `#e a b type angle`, which Freeform Origami and others hide in a comment: 1 border, 2 valley, 3 mountain. What is
     /// not of this form is a comment.
     fn edge_of_freeform(&mut self, words: &[&str]) {
-        let [a, b, kind, angle @ ..] = words else { return };
+        let [a, b, kind, ..] = words else { return };
         let (Ok(a), Ok(b), Ok(kind)) = (a.parse::<usize>(), b.parse::<usize>(), kind.parse::<i64>()) else { return };
         let (Some(a), Some(b)) = (a.checked_sub(1), b.checked_sub(1)) else { return };
         let letter = match kind {
@@ -162,8 +162,7 @@ impl Reader {
             3 => "M",
             _ => "F",
         };
-        let _ = angle;
-        self.lines.push(([(a, None), (b, None)], Some(letter), None, self.line));
+        self.lines.push(([(a, None), (b, None)], Some(letter), self.line));
     }
 
     fn finish(self, rule: &Colours) -> Result<Obj, Error> {
@@ -194,14 +193,14 @@ impl Reader {
             }
         }
         let mut lines = Vec::with_capacity(self.lines.len());
-        for (ends, letter, angle, at) in &self.lines {
+        for (ends, letter, at) in &self.lines {
             ends.iter().try_for_each(|end| exists(end, *at))?;
             let ends = ends.map(|(vertex, _)| vertex);
             let colours = ends.map(|vertex| self.colours[vertex]);
             let by_colour =
                 || if colours[0] == colours[1] { colours[0].and_then(|colour| of_colour(colour, rule)) } else { None };
             let letter = letter.or_else(by_colour);
-            lines.push(Line { ends: ends.map(|vertex| vertex as u32), letter, angle: *angle, at: *at });
+            lines.push(Line { ends: ends.map(|vertex| vertex as u32), letter, at: *at });
         }
         let texture: Option<Vec<DVec2>> = texture
             .iter()

@@ -10,7 +10,7 @@ use crate::args::FoldArgs;
 use crate::console;
 use crate::draw;
 use crate::exit::{Exit, Failure};
-use crate::files::{self, Destination, Format, Input, Target};
+use crate::files::{self, Destination, Format, Input, Reading, Target};
 use crate::progress::ProgressLine;
 use crate::report::{self, Report};
 use crate::settings::{self, Settings};
@@ -20,7 +20,8 @@ use queue::Queue;
 
 /// Folds all inputs.
 pub(super) fn run(args: &FoldArgs) -> Result<Exit, Failure> {
-    let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::new(path)).collect();
+    let reading = Reading::new(&args.reading)?;
+    let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::new(path, &reading)).collect();
     let targets = plan(args, &inputs)?;
     let drawn = targets.iter().flatten().any(|target| target.format.is_drawn());
     let settings = Settings::new(args, drawn)?;
@@ -124,7 +125,7 @@ fn write_report(destination: &Destination, reports: &[Report]) -> Result<(), Fai
 
 /// One stream takes one thing, and a report overwrites nothing else that is named.
 fn check_streams(inputs: &[Input], targets: &[Vec<Target>], report: Option<&Destination>) -> Result<(), String> {
-    if inputs.iter().filter(|input| **input == Input::Stdin).count() > 1 {
+    if inputs.iter().filter(|input| input.file().is_none()).count() > 1 {
         return Err("standard input (-) is named twice; expected it once".to_owned());
     }
     let Some(report) = report else { return Ok(()) };
@@ -132,7 +133,7 @@ fn check_streams(inputs: &[Input], targets: &[Vec<Target>], report: Option<&Dest
         return Err(format!("{report} is named for the report and for an output; expected different ones"));
     }
     if let Destination::File(path) = report {
-        let replaced = |input: &Input| matches!(input, Input::File(file) if report.is(&Destination::new(file)));
+        let replaced = |input: &Input| input.file().is_some_and(|file| report.is(&Destination::new(file)));
         if inputs.iter().any(replaced) {
             return Err(format!("{report}: the report would overwrite an input; expected another file"));
         }

@@ -74,7 +74,7 @@ fn attempt(
     attitude::motion(&model, &model.rest, settings.hold)?;
     let computer = settings.backend.choose(&settings.method, model.node_count());
     let mut warnings =
-        scene_warnings(&model, &settings.percents, computer.adapter.is_some().then_some(settings.tolerance));
+        scene_warnings(&pattern, &model, &settings.percents, computer.adapter.is_some().then_some(settings.tolerance));
     told.warnings.extend(warnings.iter().cloned().chain(computer.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
     let scene = SceneFacts::new(&pattern, &model, &computer.solver.inventory(&model), &warnings);

@@ -11,7 +11,7 @@ use origami::{Error, Warning};
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::files::Input;
+use crate::files::{Input, Opened};
 use crate::report::{Note, SceneFacts};
 use crate::settings::scene_warnings;
 
@@ -35,6 +35,7 @@ pub(super) struct Facts {
 /// As written in the file.
 #[derive(Debug, Serialize)]
 pub(super) struct File {
+    pub(super) format: String,
     pub(super) spec: Option<Value>,
     pub(super) creator: Option<Value>,
     pub(super) title: Option<Value>,
@@ -84,16 +85,16 @@ impl Facts {
     }
 
     fn look(&mut self, input: &Input, frame: Option<usize>, material: &Material) -> Result<(), Error> {
-        let document = input.read()?;
+        let Opened { document, format } = input.open()?;
         self.spoken_warnings.extend_from_slice(&document.warnings);
         let index = frame.map_or_else(|| document.pattern_frame(), Ok)?;
         let frame = document.frame(index)?;
-        self.file = Some(File::of(&document, index, &frame));
+        self.file = Some(File::of(&document, format, index, &frame));
         let pattern = CreasePattern::from_frame(&frame)?;
         self.spoken_warnings.extend_from_slice(&pattern.warnings);
         self.pattern = Some(Pattern::of(&pattern));
         let model = Model::new(&pattern, material)?;
-        self.spoken_warnings.extend(scene_warnings(&model, &[100.0], None));
+        self.spoken_warnings.extend(scene_warnings(&pattern, &model, &[100.0], None));
         let steps = TimeSteps {
             paper: time_step::paper(&model),
             safe: time_step::safe(&model, &model.rest, Integrator::Euler),
@@ -105,7 +106,7 @@ impl Facts {
 }
 
 impl File {
-    fn of(document: &Document, index: usize, frame: &Frame) -> Self {
+    fn of(document: &Document, format: String, index: usize, frame: &Frame) -> Self {
         let letters = frame.edges_assignment.as_ref().map(|letters| {
             let mut counts = BTreeMap::new();
             letters.iter().for_each(|letter| *counts.entry(letter.clone()).or_default() += 1);
@@ -113,6 +114,7 @@ impl File {
         });
         let title = frame.extra.get("frame_title").or_else(|| document.metadata.get("file_title"));
         Self {
+            format,
             spec: document.spec.clone(),
             creator: document.metadata.get("file_creator").cloned(),
             title: title.cloned(),

@@ -6,13 +6,13 @@ mod text;
 use crate::args::InfoArgs;
 use crate::console;
 use crate::exit::{Exit, Failure};
-use crate::files::Input;
+use crate::files::{Input, Reading};
 
 use facts::Facts;
 
 /// Tells what is in a file.
 pub(super) fn run(args: &InfoArgs) -> Result<Exit, Failure> {
-    let input = Input::new(&args.input);
+    let input = Input::new(&args.input, &Reading::new(&args.reading)?);
     let facts = Facts::gather(&input, args.frame, &args.material.material());
     let text = if args.json {
         let mut text = serde_json::to_vec_pretty(&facts).map_err(|error| error.to_string())?;

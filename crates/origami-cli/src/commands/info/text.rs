@@ -22,9 +22,12 @@ pub(super) fn of(facts: &Facts) -> String {
 }
 
 fn file(text: &mut String, file: &File) -> std::fmt::Result {
-    let spec =
-        file.spec.as_ref().map_or_else(|| "FOLD, version not given".to_owned(), |spec| format!("FOLD {}", plain(spec)));
-    write!(text, "  file        {spec}, {}", count(file.frames, "frame", "frames"))?;
+    let spec = file.spec.as_ref().map_or_else(|| "version not given".to_owned(), plain);
+    let format = match file.format.strip_prefix("FOLD") {
+        Some(packed) => format!("FOLD{}{spec}{packed}", if file.spec.is_some() { " " } else { ", " }),
+        None => file.format.clone(),
+    };
+    write!(text, "  file        {format}, {}", count(file.frames, "frame", "frames"))?;
     if file.frames > 1 {
         write!(text, ", the pattern is frame {}", file.frame)?;
     }

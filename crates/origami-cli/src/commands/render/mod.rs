@@ -9,7 +9,7 @@ use crate::backend::Backend;
 use crate::console;
 use crate::draw::{self, Artist, Style, Subject};
 use crate::exit::{Exit, Failure};
-use crate::files::{self, Destination, Format, Input, whole};
+use crate::files::{self, Destination, Format, Input, Reading, whole};
 use crate::numbers::duration;
 use crate::settings;
 use crate::stopwatch::Stopwatch;
@@ -19,7 +19,7 @@ use lying::Lying;
 /// Draws it.
 pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     let mut watch = Stopwatch::start();
-    let input = Input::new(&args.input);
+    let input = Input::new(&args.input, &Reading::new(&args.reading)?);
     let outputs = outputs(args)?;
     let style = Style::new(&args.picture)?;
     let backend = Backend::new(args.backend, args.adapter.as_deref())?;

@@ -10,6 +10,7 @@ use crate::args::{ADAPTER_VARIABLE, BackendName, StudyArgs, StudyBackend, StudyN
 use crate::backend::Backend;
 use crate::console;
 use crate::exit::{Exit, Failure};
+use crate::files::Reading;
 use crate::numbers::{count, duration};
 use crate::progress::ProgressLine;
 use crate::stopwatch::Stopwatch;
@@ -22,7 +23,7 @@ pub(in crate::commands) fn run(args: &StudyArgs) -> Result<Exit, Failure> {
         return Err(format!("{}: stability has scenes of its own; expected no pattern", pattern.display()).into());
     }
     folder::check(&args.output)?;
-    let patterns = patterns::read(&args.patterns, args.quiet)?;
+    let patterns = patterns::read(&args.patterns, &Reading::new(&args.reading)?, args.quiet)?;
     let gpu = match args.backend {
         StudyBackend::Cpu => BackendName::Cpu,
         StudyBackend::Gpu => BackendName::Gpu,

@@ -109,7 +109,7 @@ impl Work<'_> {
         let inventory = self.solver.inventory(model);
         let seen = done.inventories.iter().position(|other| *other == inventory);
         seen.unwrap_or_else(|| {
-            let of_scene = scene_warnings(model, &self.sweep.percents, self.on_gpu);
+            let of_scene = scene_warnings(self.pattern, model, &self.sweep.percents, self.on_gpu);
             let warnings: Vec<Warning> = self.pattern.warnings.iter().chain(&of_scene).cloned().collect();
             done.scenes.push(SceneFacts::new(self.pattern, model, &inventory, &warnings));
             of_scene.into_iter().for_each(|warning| {

@@ -59,8 +59,8 @@ impl<'a> Folder<'a> {
         if file.is_dir() {
             return Err(format!("{shown}: is a folder; expected a file or nothing there"));
         }
-        let is = |input: &PathBuf| Destination::File(file.to_owned()).is(&Destination::File(input.clone()));
-        if matches!(input, Input::File(input) if is(input)) {
+        let is = |input: &Path| Destination::File(file.to_owned()).is(&Destination::File(input.to_owned()));
+        if input.file().is_some_and(is) {
             return Err(format!("{input}: would be replaced by the sweep; expected another folder"));
         }
         Ok(())

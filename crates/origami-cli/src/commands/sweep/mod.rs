@@ -15,7 +15,7 @@ use crate::args::SweepArgs;
 use crate::console;
 use crate::draw::Style;
 use crate::exit::{Exit, Failure};
-use crate::files::Input;
+use crate::files::{Input, Reading};
 use crate::progress::ProgressLine;
 use crate::report::{self, Seconds, Table, write_csv, write_json};
 use crate::settings;
@@ -34,7 +34,7 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     if args.folded.iter().any(|format| format.is_drawn()) {
         Style::new(&PictureArgs::default())?;
     }
-    let input = Input::new(&args.input);
+    let input = Input::new(&args.input, &Reading::new(&args.reading)?);
     let folder = Folder::new(&args.output, &args.folded, count, &input)?;
     if !args.quiet {
         settings::oddities_of_sweep(args, &sweep.percents).iter().for_each(console::warning);

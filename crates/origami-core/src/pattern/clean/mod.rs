@@ -42,14 +42,12 @@ const RANGE: i32 = 100;
 /// The cleaned pattern of a frame.
 pub(super) fn pattern(frame: &Frame) -> Result<CreasePattern, Error> {
     let sources = Sources::of(frame);
-    let mut pattern = cleaned(frame).map_err(|error| sources.of_error(error))?;
-    for warning in &mut pattern.warnings {
-        warning.place = sources.of_place(std::mem::replace(&mut warning.place, Place::Frame(0)));
-    }
+    let mut pattern = cleaned(frame, &sources).map_err(|error| sources.of_error(error))?;
+    pattern.warnings.iter_mut().for_each(|warning| sources.of_warning(warning));
     Ok(pattern)
 }
 
-fn cleaned(frame: &Frame) -> Result<CreasePattern, Error> {
+fn cleaned(frame: &Frame, sources: &Sources) -> Result<CreasePattern, Error> {
     let mut notes = Notes::default();
     let vertices = vertices(frame, &mut notes)?;
     let edges = edges(frame, vertices.len(), &mut notes)?;
@@ -69,7 +67,8 @@ fn cleaned(frame: &Frame) -> Result<CreasePattern, Error> {
     let keys = Keys { letters: frame.edges_assignment.is_some(), angles: frame.edges_fold_angle.is_some() };
     angles::settle(&mut draft, &sides, keys);
     cuts::open(&mut draft, &sides);
-    Ok(finish(draft, vertices, in_file, scale))
+    let sources = sources.of_edges(&draft.edges);
+    Ok(CreasePattern { sources, ..finish(draft, vertices, in_file, scale) })
 }
 
 fn vertices(frame: &Frame, notes: &mut Notes) -> Result<Vec<DVec3>, Error> {
@@ -244,5 +243,6 @@ fn finish(draft: Draft, mut vertices: Vec<DVec3>, in_file: [usize; 2], scale: f6
         vertices_in_file: in_file[0],
         edges_in_file: in_file[1],
         warnings: draft.notes.into_warnings(),
+        sources: Vec::new(),
     }
 }

@@ -82,12 +82,12 @@ fn compare(name: &str, before: &CreasePattern, after: &CreasePattern, angles: bo
 }
 
 #[test]
-fn cp_and_svg_keep_every_crease() {
+fn cp_svg_and_dxf_keep_every_crease() {
     let mut compared = 0;
     for (name, pattern) in patterns() {
         for joined in [false, true] {
             let options = options(|options| options.joined = Some(joined));
-            for (writer, angles) in [(CP, false), (SVG, true)] {
+            for (writer, angles) in [(CP, false), (SVG, true), (DXF, false)] {
                 let (text, _) = written(writer, &pattern, &options);
                 let farthest = compare(name, &pattern, &again(&text), angles);
                 assert!(farthest < 1e-12, "{name}: {farthest:e}");
@@ -101,7 +101,7 @@ fn cp_and_svg_keep_every_crease() {
 #[test]
 fn content_says_what_was_written() {
     let pattern = catalog::generate("miura", &[]).expect("a pattern");
-    for (writer, format) in [(CP, Format::Cp), (SVG, Format::Svg)] {
+    for (writer, format) in [(CP, Format::Cp), (SVG, Format::Svg), (DXF, Format::Dxf)] {
         let (text, warnings) = written(writer, &pattern, &Options::default());
         assert_eq!(Format::of(text.as_bytes(), None).expect("known"), format);
         assert_eq!(warnings, [""; 0]);

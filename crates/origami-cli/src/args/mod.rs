@@ -1,6 +1,7 @@
 //! The command line, one file a command. Defaults of the simulation come from the library.
 
 mod adapters;
+mod convert;
 mod fold;
 mod hold;
 mod info;
@@ -16,6 +17,9 @@ mod sweep;
 mod values;
 
 pub(crate) use adapters::AdaptersArgs;
+pub(crate) use convert::ConvertArgs;
+#[cfg(feature = "formats")]
+pub(crate) use convert::LinesName;
 pub(crate) use fold::{
     ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs,
 };
@@ -71,6 +75,7 @@ Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.
 pub(crate) enum Command {
     Fold(Box<FoldArgs>),
     Sweep(Box<SweepArgs>),
+    Convert(ConvertArgs),
     Render(Box<RenderArgs>),
     Study(StudyArgs),
     Info(InfoArgs),

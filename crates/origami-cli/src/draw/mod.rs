@@ -13,6 +13,8 @@ mod formats;
 #[cfg(feature = "render")]
 mod limits;
 #[cfg(feature = "render")]
+mod orders;
+#[cfg(feature = "render")]
 mod still;
 #[cfg(feature = "render")]
 mod style;
@@ -25,6 +27,7 @@ pub(crate) use {
     film::film,
     formats::{pattern, sheet},
     limits::{check_contact, check_film},
+    orders::orders,
     style::Style,
 };
 

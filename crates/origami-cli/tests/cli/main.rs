@@ -3,6 +3,7 @@
 
 mod attitude;
 mod batch;
+mod convert;
 mod dangers;
 mod fold;
 mod gpu;
@@ -10,6 +11,7 @@ mod help;
 mod info;
 mod mutations;
 mod newton;
+mod outputs;
 mod pattern;
 mod picture;
 mod place;

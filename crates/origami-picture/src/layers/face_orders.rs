@@ -27,7 +27,8 @@ pub struct FaceOrder {
 /// The order of all pairs of faces that lie upon each other, by their numbers; `positions` by node, in radii. `None` where
 /// the sheet is not folded flat, or has too many layers to tell ([`super::stack`]).
 ///
-/// What folds and the conditions of flat folding leave open, the positions decide, as for pictures.
+/// What folds and the conditions of flat folding leave open, the positions decide, as for pictures. Where that ends in three
+/// faces each of which lies on the next, which paper may do but a stack cannot, none of the three pairs is told.
 #[must_use]
 pub fn face_orders(model: &Model, positions: &[DVec3]) -> Option<Vec<FaceOrder>> {
     if positions.len() != model.node_count() || !is_flat(model, positions) {
@@ -38,6 +39,7 @@ pub fn face_orders(model: &Model, positions: &[DVec3]) -> Option<Vec<FaceOrder>>
     conditions::add(model, positions, &pairs, &mut order);
     order.decide();
 
+    let circling = circling(&pairs, &order);
     let mut sides: BTreeMap<[FaceId; 2], i8> = BTreeMap::new();
     for (pair, triangles) in pairs.triangles.iter().enumerate() {
         let mut both = triangles.map(|t| (model.mesh.face_of_triangle[t as usize], t as usize));
@@ -52,13 +54,32 @@ pub fn face_orders(model: &Model, positions: &[DVec3]) -> Option<Vec<FaceOrder>>
         }
         let [_, (_, second)] = both;
         let front_up = pairs.normals[second].dot(pairs.up[second]) > 0.0;
-        let side = if above == front_up { 1 } else { -1 };
+        let side = match above == front_up {
+            _ if circling[pair] => 0,
+            true => 1,
+            false => -1,
+        };
         let told = sides.entry(both.map(|(face, _)| face)).or_insert(side);
         if *told != side {
             *told = 0;
         }
     }
     Some(sides.into_iter().map(|(faces, side)| FaceOrder { faces, side }).collect())
+}
+
+/// By pair: whether it is one of three pairs of three triangles of which each lies on the next.
+fn circling(pairs: &Pairs, order: &Order<'_>) -> Vec<bool> {
+    let mut circling = vec![false; pairs.triangles.len()];
+    for (pair, [i, j]) in pairs.triangles.iter().enumerate() {
+        for (k, on_j) in pairs.of(*j as usize).iter().filter(|(k, _)| k > j) {
+            let Some((on_i, _)) = pairs.between(*i, *k) else { continue };
+            let [first, second, third] = [pair, *on_j as usize, on_i].map(|pair| order.above(pair));
+            if first == second && second != third {
+                [pair, *on_j as usize, on_i].into_iter().for_each(|pair| circling[pair] = true);
+            }
+        }
+    }
+    circling
 }
 
 /// Whether all nodes lie in the plane of the largest triangle.
@@ -156,49 +177,45 @@ mod tests {
         }
     }
 
-    /// Where points of the plane are covered by several faces, each two of them have an order, and all of them are one stack.
+    /// Where points of the plane are covered by several faces, each two of them have an order, and no three a circle.
     #[test]
     fn faces_over_a_point_are_a_stack() {
-        for name in ["bird-base", "miura", "waterbomb"] {
+        for (name, least) in [("bird-base", 1.0), ("miura", 0.5), ("waterbomb", 0.5)] {
             let pattern = catalog::generate(name, &[]).unwrap();
             let (model, positions) = folded(&pattern, 100.0);
             let orders = face_orders(&model, &positions).unwrap();
-            let normal =
-                (0..model.mesh.triangles.len())
-                    .map(|t| area(&model, &positions, t))
-                    .fold(DVec3::ZERO, |a, b| if b.length() > a.length() { b } else { a });
-            let (x, y) = normal.normalize().any_orthonormal_pair();
-            let up = x.cross(y);
+            let sides: BTreeMap<[FaceId; 2], i8> = orders.iter().map(|order| (order.faces, order.side)).collect();
+            let areas = (0..model.mesh.triangles.len()).map(|t| area(&model, &positions, t));
+            let normal = areas.fold(DVec3::ZERO, |a, b| if b.length() > a.length() { b } else { a }).normalize();
+            let (x, y) = normal.any_orthonormal_pair();
             let flat: Vec<DVec2> = positions.iter().map(|p| DVec2::new(p.dot(x), p.dot(y))).collect();
-            let mut deepest = 0;
+            let (mut deepest, mut told, mut all) = (0, 0, 0);
             for t in 0..model.mesh.triangles.len() {
                 // Points inside of each triangle, away from all symmetries.
                 let [a, b, c] = model.mesh.triangles[t].map(|n| flat[n.index()]);
                 let point = 0.411 * a + 0.353 * b + 0.236 * c;
-                let over: Vec<usize> =
-                    (0..model.mesh.triangles.len()).filter(|other| inside(&model, &flat, *other, point)).collect();
-                let faces: Vec<(FaceId, f64)> = over
-                    .iter()
-                    .map(|t| (model.mesh.face_of_triangle[*t], area(&model, &positions, *t).dot(up).signum()))
-                    .collect();
+                let over = (0..model.mesh.triangles.len()).filter(|other| inside(&model, &flat, *other, point));
+                let front = |t: usize| area(&model, &positions, t).dot(normal).signum();
+                let faces: Vec<(FaceId, f64)> = over.map(|t| (model.mesh.face_of_triangle[t], front(t))).collect();
                 deepest = deepest.max(faces.len());
-                // How many lie below each: a stack has each number once.
-                let below = |(face, front): &(FaceId, f64)| {
-                    let above = |(other, other_front): &(FaceId, f64)| {
-                        let order = |f, g| orders.iter().find(|o| o.faces == [f, g]).map(|o| f64::from(o.side));
-                        if face < other {
-                            order(*face, *other).unwrap() * other_front > 0.0
-                        } else {
-                            order(*other, *face).unwrap() * front < 0.0
-                        }
-                    };
-                    faces.iter().filter(|other| other.0 != *face).filter(|other| above(other)).count()
+                // 1 where the first is above the second, -1 where it is below.
+                let above = |a: (FaceId, f64), b: (FaceId, f64)| {
+                    let order = |f, g| f64::from(sides[&[f, g]]);
+                    if a.0 < b.0 { order(a.0, b.0) * b.1 } else { -order(b.0, a.0) * a.1 }
                 };
-                let mut heights: Vec<usize> = faces.iter().map(below).collect();
-                heights.sort_unstable();
-                assert_eq!(heights, (0..faces.len()).collect::<Vec<_>>(), "{name}, over triangle {t}: {faces:?}");
+                for (i, a) in faces.iter().enumerate() {
+                    for (j, b) in faces.iter().enumerate().skip(i + 1).filter(|(_, b)| b.0 != a.0) {
+                        let first = above(*a, *b);
+                        (told, all) = (told + usize::from(first != 0.0), all + 1);
+                        for c in faces.iter().skip(j + 1).filter(|c| c.0 != a.0 && c.0 != b.0) {
+                            let circle = first != 0.0 && first == above(*b, *c) && first == above(*c, *a);
+                            assert!(!circle, "{name}, over triangle {t}: {a:?} {b:?} {c:?}");
+                        }
+                    }
+                }
             }
-            assert!(deepest >= 4, "{name}: {deepest}");
+            let share = f64::from(told as u32) / f64::from(all as u32);
+            assert!(deepest >= 4 && share >= least, "{name}: {deepest} layers, {share} of the pairs are told");
         }
     }
 

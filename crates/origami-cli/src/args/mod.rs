@@ -1,6 +1,7 @@
 //! The command line, one file a command. Defaults of the simulation come from the library.
 
 mod adapters;
+mod convert;
 mod fold;
 mod hold;
 mod info;
@@ -17,6 +18,9 @@ mod usage;
 mod values;
 
 pub(crate) use adapters::AdaptersArgs;
+pub(crate) use convert::ConvertArgs;
+#[cfg(feature = "formats")]
+pub(crate) use convert::LinesName;
 pub(crate) use fold::{
     ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs, is_named,
 };
@@ -72,6 +76,7 @@ Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.
 pub(crate) enum Command {
     Fold(Box<FoldArgs>),
     Sweep(Box<SweepArgs>),
+    Convert(ConvertArgs),
     Render(Box<RenderArgs>),
     Study(StudyArgs),
     Info(InfoArgs),

@@ -1,6 +1,7 @@
 //! What each command does.
 
 mod adapters;
+mod convert;
 mod fold;
 mod info;
 mod pattern;
@@ -20,6 +21,7 @@ pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
     match cli.command {
         Command::Fold(args) => fold::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Convert(args) => convert::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Study(args) => study::run(&args),
         Command::Info(args) => info::run(&args),

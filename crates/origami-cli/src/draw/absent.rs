@@ -3,7 +3,8 @@
 use std::io::Write;
 use std::path::Path;
 
-use origami::{CreasePattern, Error};
+use origami::{CreasePattern, Error, Model, State};
+use serde_json::Value;
 
 use super::{Faults, Film, Subject};
 use crate::args::PictureArgs;
@@ -59,6 +60,11 @@ pub(crate) fn check_drawable(
 
 pub(crate) fn check_film(_path: &Path) -> Result<(), String> {
     Ok(())
+}
+
+/// Nobody knows them.
+pub(crate) fn orders(_model: &Model, _state: &State) -> Option<Value> {
+    None
 }
 
 fn absent() -> Error {

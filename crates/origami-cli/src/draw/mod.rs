@@ -15,6 +15,8 @@ mod formats;
 #[cfg(feature = "render")]
 mod limits;
 #[cfg(feature = "render")]
+mod orders;
+#[cfg(feature = "render")]
 mod still;
 #[cfg(feature = "render")]
 mod style;
@@ -28,6 +30,7 @@ pub(crate) use {
     film::film,
     formats::{faulty_pattern, pattern, sheet},
     limits::{check_contact, check_film},
+    orders::orders,
     style::{Style, oddities},
 };
 

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 /// A format that folded sheets are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
-    /// FOLD: vertices, edges, faces, fold angles
+    /// FOLD: vertices, edges, faces, fold angles, and the order of faces where they lie flat
     Fold,
     /// Wavefront OBJ: faces as in the input, with texture coordinates
     Obj,
@@ -17,7 +17,7 @@ pub(crate) enum Format {
     Glb,
     /// A picture of the folded sheet
     Png,
-    /// The crease pattern as SVG
+    /// A picture of the crease pattern as SVG
     Svg,
     /// The pattern and stages in one picture; no folder takes these.
     #[value(skip)]

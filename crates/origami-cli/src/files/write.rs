@@ -21,6 +21,9 @@ const CONVERGED: &str = "origami:converged";
 /// Own key: the estimated distance of the farthest vertex from the equilibrium, in radii of the sheet.
 const DISTANCE: &str = "origami:distance";
 
+/// FOLD's key for which face lies upon which.
+const FACE_ORDERS: &str = "faceOrders";
+
 /// All that a file may need to know of a folded sheet.
 pub(crate) struct Sheet<'a> {
     /// What a FOLD file keeps of the input.
@@ -141,20 +144,30 @@ impl Sheet<'_> {
             let mut document = self.template.animation(self.pattern, &poses)?;
             // Of an input that was folded itself.
             document.key_frame.extra.retain(|key, _| key != CONVERGED && key != DISTANCE);
+            let orders_at_rest = document.key_frame.extra.contains_key(FACE_ORDERS);
             for (frame, folded) in document.frames.iter_mut().zip(self.states) {
-                mark(&mut frame.extra, folded);
+                self.mark(&mut frame.extra, folded);
+                if orders_at_rest {
+                    // Not to be inherited.
+                    frame.extra.entry(FACE_ORDERS).or_insert(serde_json::Value::Null);
+                }
             }
             return Ok(document);
         }
         let (Some(pose), Some(folded)) = (poses.last(), self.states.last()) else { return Ok(Document::default()) };
         let mut document = self.template.folded_form(self.pattern, pose)?;
-        mark(&mut document.key_frame.extra, folded);
+        self.mark(&mut document.key_frame.extra, folded);
         Ok(document)
     }
-}
 
-/// Own keys: a distance that is not known is null.
-fn mark(extra: &mut serde_json::Map<String, serde_json::Value>, folded: &Folded) {
-    extra.insert(CONVERGED.into(), folded.converged().into());
-    extra.insert(DISTANCE.into(), folded.distance.into());
+    /// Own keys, of which a distance that is not known is null; and the order of faces, where that can be told.
+    fn mark(&self, extra: &mut serde_json::Map<String, serde_json::Value>, folded: &Folded) {
+        extra.insert(CONVERGED.into(), folded.converged().into());
+        extra.insert(DISTANCE.into(), folded.distance.into());
+        // That of the input was of another state.
+        extra.shift_remove(FACE_ORDERS);
+        if let Some(orders) = draw::orders(self.model, &folded.state) {
+            extra.insert(FACE_ORDERS.into(), orders);
+        }
+    }
 }

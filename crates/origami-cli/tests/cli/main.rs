@@ -3,6 +3,7 @@
 
 mod attitude;
 mod batch;
+mod convert;
 mod dangers;
 mod fold;
 mod formats;
@@ -12,6 +13,7 @@ mod info;
 mod manners;
 mod mutations;
 mod newton;
+mod outputs;
 mod pattern;
 mod picture;
 mod place;

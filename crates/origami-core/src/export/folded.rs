@@ -13,6 +13,10 @@ use crate::pattern::CreasePattern;
 use crate::pattern::keys::{FOLD_ANGLE, PERCENT};
 use crate::solve::Folded;
 
+/// What programs write of a folded frame, and a pattern does not have.
+const CONVERGED: &str = "origami:converged";
+const DISTANCE: &str = "origami:distance";
+
 /// A folded sheet as files hold it: positions and fold angles, and how far it was asked to fold.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pose {
@@ -74,6 +78,19 @@ impl Template {
         key_frame.extra.insert("frame_attributes".into(), attributes);
         set_stage(&mut key_frame, pattern, pose);
         Ok(self.document(key_frame))
+    }
+
+    /// `pattern`, the pattern of the template, as a FOLD document of one frame that is not folded: as it was cleaned, with the
+    /// angles that it asks for. Metadata and unknown keys of the source are kept, other frames dropped.
+    #[must_use]
+    pub fn crease_pattern(&self, pattern: &CreasePattern) -> Document {
+        let mut key_frame = self.frame();
+        set_topology(&mut key_frame, pattern);
+        for key in [PERCENT, CONVERGED, DISTANCE] {
+            key_frame.extra.shift_remove(key);
+        }
+        set_rest(&mut key_frame, pattern);
+        self.document(key_frame)
     }
 
     /// Folding as a FOLD animation: the key frame is the crease pattern at rest with the angles it was asked for; each pose

@@ -30,15 +30,19 @@ pub(super) fn coordinates(
     (0..positions.len()).map(|vertex| write(positions[stand_in_vertex(pattern, vertex)])).collect()
 }
 
+/// An angle that passes 180 degrees by less than this, in degrees, is flat folded: solvers come so near.
+const NEARLY: f64 = 0.1;
+
 /// Fold angles given in radians, in degrees. Boundaries have 0, as the specification wants it; others without an angle
-/// have `null`. Angles beyond 180 degrees are cut off there and also kept as they are under [`FOLD_ANGLE`].
+/// have `null`. Angles beyond 180 degrees are cut off there and also kept as they are under [`FOLD_ANGLE`], unless they are so by
+/// a tenth of a degree only.
 pub(super) fn set_angles(frame: &mut Frame, pattern: &CreasePattern, angle: impl Fn(usize) -> Option<f64>) {
     let degrees: Vec<_> = (0..pattern.edges.len())
         .map(|edge| {
             let edge = stand_in_edge(pattern, edge);
             match angle(edge) {
                 None if pattern.edges[edge].assignment == Assignment::Boundary => Some(0.0),
-                angle => angle.map(to_degrees),
+                angle => angle.map(to_degrees).map(flat_where_nearly),
             }
         })
         .collect();
@@ -52,6 +56,10 @@ pub(super) fn set_angles(frame: &mut Frame, pattern: &CreasePattern, angle: impl
 pub(super) fn number(number: f64) -> Value {
     let whole = number as i32;
     if f64::from(whole) == number { Value::from(whole) } else { Value::from(number) }
+}
+
+fn flat_where_nearly(degrees: f64) -> f64 {
+    if (180.0..180.0 + NEARLY).contains(&degrees.abs()) { 180.0_f64.copysign(degrees) } else { degrees }
 }
 
 fn optional(value: Option<f64>) -> Value {

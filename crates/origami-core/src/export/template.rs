@@ -6,11 +6,14 @@ use super::CREATOR;
 use crate::error::Error;
 use crate::fold::{Document, Frame};
 use crate::pattern::CreasePattern;
+use crate::pattern::keys::{FACES_SOURCE, SOURCE};
 
 /// Keys that follow from `edges_vertices`.
-const FROM_EDGES: [&str; 5] = ["vertices_vertices", "vertices_edges", "edges_length", "edges_lengths", "edgeOrders"];
+const FROM_EDGES: [&str; 6] =
+    ["vertices_vertices", "vertices_edges", "edges_length", "edges_lengths", "edgeOrders", SOURCE];
 /// Keys that follow from `edges_vertices` and `faces_vertices`.
-const FROM_FACES: [&str; 5] = ["vertices_faces", "edges_faces", "faces_edges", "faces_faces", "faceOrders"];
+const FROM_FACES: [&str; 6] =
+    ["vertices_faces", "edges_faces", "faces_edges", "faces_faces", "faceOrders", FACES_SOURCE];
 /// Classes of files of more than one frame.
 const MANY_FRAMES: [&str; 3] = ["animation", "multiModel", "diagrams"];
 

@@ -10,6 +10,7 @@
 
 mod circles;
 mod conditions;
+mod face_orders;
 mod order;
 mod overlap;
 mod pairs;
@@ -18,6 +19,7 @@ mod spread;
 use origami_core::Model;
 use origami_core::glam::DVec3;
 
+pub use face_orders::{FaceOrder, face_orders};
 use order::Order;
 pub use pairs::NEAR;
 use pairs::Pairs;

@@ -102,6 +102,12 @@ fn every_kind_of_error_has_its_code_and_its_place() {
     let ends = twice.edges[0].vertices;
     let mesh = model(&twice).expect_err("an edge twice");
     errors.push((mesh, EdgeTwice, Place::Vertices(vec![ends[0].min(ends[1]), ends[0].max(ends[1])])));
+    let pit = r#"{"vertices_coords": [[0, 0], [4, 0], [4, 4], [3, 2], [1, 2], [0, 4], [2, 0], [2, 1.5]],
+        "edges_vertices": [[0, 1], [1, 2], [2, 3], [4, 5], [0, 5], [6, 7]],
+        "edges_assignment": ["B", "B", "B", "B", "B", "V"]}"#;
+    let pit = Document::from_slice(pit.as_bytes()).expect("a document");
+    let open = CreasePattern::from_document(&pit, 0).expect_err("an open border");
+    errors.push((open, BorderOpen, entry("edges_vertices", 2)));
     let material = Material { ea: -1.0, ..Material::default() }.check().expect_err("a negative rigidity");
     errors.push((material, Setting, Place::from("material ea")));
 
@@ -128,7 +134,14 @@ fn every_kind_of_warning_has_its_code_and_its_place() {
         ("edge-of-no-length", EdgeWithoutLength, entry("edges_vertices", 5)),
         ("edge-twice-same-letter", EdgeTwice, entry("edges_vertices", 5)),
         ("edge-twice-other-letter", EdgeTwiceLetters, entry("edges_assignment", 5)),
-        ("contour-open", EdgeOutside, entry("edges_vertices", 2)),
+        ("contour-open", BorderClosed, entry("edges_vertices", 2)),
+        ("../cases/open_border", BorderJoined, entry("vertices_coords", 2)),
+        ("../cases/gap_1e-05", NearMissJoined, entry("vertices_coords", 4)),
+        ("../cases/tjunction", FacesRepaired, entry("faces_vertices", 0)),
+        ("../cases/frame_around", CreaseInHole, entry("edges_vertices", 8)),
+        ("../cases/radians", Radians, key("edges_foldAngle")),
+        ("../cases/typo_assignments", UnknownKey, key("edges_assignments").in_frame(0)),
+        ("../cases/folded_first_cp_second", OtherFrame, Place::Frame(0)),
         ("face-without-its-edge", UnlistedSide, entry("faces_vertices", 0)),
         ("no-faces", FacesBuilt, key("faces_vertices")),
         ("mixed-faces", FaceTurned, entry("faces_vertices", 1)),
@@ -165,6 +178,14 @@ fn every_kind_of_warning_has_its_code_and_its_place() {
     let tilted = Document::from_slice(tilted.as_bytes()).expect("a document");
     let tilted = CreasePattern::from_document(&tilted, 0).expect("a square in space").warnings;
     warnings.push((tilted, TiltedPlane, key("vertices_coords")));
+    let outside = r#"{"vertices_coords": [[0, 0], [1, 0], [1, 1], [0, 1], [2, 2], [3, 3], [0.5, 0], [0.5, 0.97]],
+        "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [6, 7]],
+        "edges_assignment": ["B", "B", "B", "B", "F", "V"]}"#;
+    let outside = Document::from_slice(outside.as_bytes()).expect("a document");
+    let outside = CreasePattern::from_document(&outside, 0).expect("a square and a line").warnings;
+    warnings.push((outside.clone(), EdgeOutside, entry("edges_vertices", 4)));
+    warnings.push((outside.clone(), PaperLost, key("edges_vertices")));
+    warnings.push((outside, NearMiss, entry("vertices_coords", 7)));
     let cut = r#"{"vertices_coords": [[0, 0], [3, 0], [3, 3], [0, 3], [1, 1], [2, 2]],
         "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [4, 5], [5, 2]],
         "edges_assignment": ["B", "B", "B", "B", "V", "C", "V"]}"#;

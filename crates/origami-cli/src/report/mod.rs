@@ -9,7 +9,7 @@ mod sweep;
 pub(crate) use adapter::{Adapter, AdapterDetails};
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use note::Note;
-pub(crate) use scene::SceneFacts;
+pub(crate) use scene::{PaperFacts, SceneFacts};
 pub(crate) use sweep::{Row, Table, Varied, write_csv, write_json};
 
 use origami::solve::{Diverged, Quantity};

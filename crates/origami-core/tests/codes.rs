@@ -67,7 +67,6 @@ fn every_kind_of_error_has_its_code_and_its_place() {
         ("moebius-strip", OneSided, entry("edges_vertices", 5)),
         ("face-of-two-corners", FaceOfFewCorners, entry("faces_vertices", 1)),
         ("face-with-a-corner-twice", FaceWithoutArea, entry("faces_vertices", 1)),
-        ("self-crossing-face", FaceNotSimple, entry("faces_vertices", 0)),
         ("no-paper", NoPaper, key("edges_vertices")),
     ];
     let mut errors: Vec<(Error, ErrorCode, Place)> =
@@ -95,6 +94,8 @@ fn every_kind_of_error_has_its_code_and_its_place() {
     points[1].position.y = f64::INFINITY;
     let refused = document.to_string().expect_err("JSON has no infinity");
     errors.push((refused, NotFinite, entry("vertices_coords", 1).in_frame(0)));
+    let crossing = square(r#""faces_vertices": [[0, 1, 3, 2]]"#).and_then(|pattern| model(&pattern));
+    errors.push((crossing.map(drop).expect_err("a bow tie"), FaceNotSimple, entry("faces_vertices", 0)));
     let corner = square(r#""faces_vertices": [[0, 0, 1, 2]]"#).expect_err("a corner twice");
     errors.push((corner, CornerTwice, entry("faces_vertices", 0)));
     let mut twice = SingleCrease::default().pattern().expect("a crease");
@@ -225,8 +226,11 @@ fn every_kind_of_warning_has_its_code_and_its_place() {
     for (told, code, place) in &warnings {
         let found = told.iter().any(|warning| (warning.code, &warning.place) == (*code, place));
         assert!(found, "no {code} at {place} in {told:#?}");
-        let codes: BTreeSet<&str> = told.iter().map(|warning| warning.code.name()).collect();
-        assert_eq!(codes.len(), told.len(), "each kind once: {told:#?}");
+        // Near misses are named one by one.
+        let once = told.iter().filter(|warning| !matches!(warning.code, NearMissJoined | BorderJoined | BorderClosed));
+        let once: Vec<&str> = once.map(|warning| warning.code.name()).collect();
+        let codes: BTreeSet<&str> = once.iter().copied().collect();
+        assert_eq!(codes.len(), once.len(), "each kind once: {told:#?}");
     }
     let met: BTreeSet<&str> = warnings.iter().map(|(_, code, _)| code.name()).collect();
     let unmet: Vec<&str> = WarningCode::ALL.iter().map(|code| code.name()).filter(|name| !met.contains(name)).collect();
@@ -238,8 +242,8 @@ fn an_editor_can_jump_to_an_element_and_mute_a_kind() {
     let pattern = CreasePattern::read(broken("angle-of-opposite-sign")).expect("a pattern");
     let edges: Vec<EdgeId> = pattern.warnings.iter().filter_map(|warning| warning.place.edge()).collect();
     assert_eq!(edges, [EdgeId(4)]);
-    let faces = refusal("self-crossing-face").place().face();
-    assert_eq!(faces, Some(FaceId(0)));
+    let faces = refusal("face-out-of-range").place().face();
+    assert_eq!(faces, Some(FaceId(1)));
     let mut left = CreasePattern::read(broken("edge-of-no-length")).expect("a pattern").warnings;
     let before = left.len();
     left.retain(|warning| warning.code != WarningCode::FacesBuilt);

@@ -108,7 +108,7 @@ proptest! {
         let pattern = CreasePattern::from_frame(&flat(&coords, &edges, &("BBBB".to_owned() + &"MV".repeat(6)), &[]));
         let pattern = pattern.map_err(|error| TestCaseError::fail(error.to_string()))?;
         prop_assert_eq!(counts(&pattern), [64, 49, 1]);
-        prop_assert!((pattern.paper().area - 1.0).abs() < 1e-9);
+        prop_assert!((pattern.paper().area - 1.0).abs() < 4e-6, "rounding bends the border, near misses do not");
     }
 
     /// A border with a gap: closed, or refused by name; never half the sheet.

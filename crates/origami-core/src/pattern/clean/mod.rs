@@ -143,7 +143,7 @@ fn found(draft: &mut Draft, was: Option<&str>) -> Result<Sides, Error> {
 fn with_faces(sheet: &mut Sheet, frame: &Frame, reading: &Reading) -> Result<Sides, Error> {
     let faces = frame.faces_vertices.as_deref().unwrap_or_default();
     let given = taken(&mut sheet.draft, faces);
-    let may_differ = sheet.draft.flat && !sheet.draft.edges.is_empty() && !repair::is_folded(frame);
+    let may_differ = sheet.draft.flat && sheet.in_file[1] > 0 && !repair::is_folded(frame);
     let doubt = match &given {
         Ok(sides) => repair::doubt(&sheet.draft, sides),
         Err(error) if repair::may_cure(error) => Doubt::Face,

@@ -5,6 +5,7 @@
 use glam::DVec2;
 
 use super::draft::{Draft, DraftEdge, EdgeMap, GivenAngle};
+use super::faces_given::SMALLEST;
 use super::letters::Letter;
 use super::sides::Sides;
 use crate::error::{Error, ErrorCode, Place, WarningCode};
@@ -24,11 +25,8 @@ pub(super) fn is_folded(frame: &Frame) -> bool {
 
 /// Whether faces that lead to this refusal may be found anew.
 pub(super) fn may_cure(error: &Error) -> bool {
-    use ErrorCode::{CornerTwice, EdgeOfManyFaces, EdgeWithoutLength, FaceOfFewCorners, FaceWithoutArea, OneSided};
-    matches!(
-        error.code(),
-        CornerTwice | EdgeOfManyFaces | EdgeWithoutLength | FaceOfFewCorners | FaceWithoutArea | OneSided
-    )
+    use ErrorCode::{CornerTwice, EdgeOfManyFaces, EdgeWithoutLength, OneSided};
+    matches!(error.code(), CornerTwice | EdgeOfManyFaces | EdgeWithoutLength | OneSided)
 }
 
 /// What speaks against faces that could be taken as they are.
@@ -107,6 +105,10 @@ fn is_simple(mut corners: Vec<DVec2>) -> bool {
         return true;
     }
     let area: f64 = (1..count.saturating_sub(1)).map(|i| orient(corner(0), corner(i), corner(i + 1))).sum();
+    if area.abs() < SMALLEST {
+        // There is a warning of those.
+        return true;
+    }
     if area < 0.0 {
         corners.reverse();
     }
@@ -169,7 +171,13 @@ pub(super) fn note(anew: &mut Draft, faces: &[Vec<u32>], cure: &str) {
             _ => wrong.push(index),
         }
     }
-    let Some(&first) = wrong.first() else { return };
+    let Some(&first) = wrong.first() else {
+        if anew.vertex_alias.iter().any(Option::is_some) {
+            let message = format!("had corners of their own where they touch; {cure}: {}", anew.faces.len());
+            anew.notes.add_one(WarningCode::FacesRepaired, Place::key("faces_vertices"), message);
+        }
+        return;
+    };
     let area = |face: &[u32]| {
         let exist = face.iter().all(|&v| (v as usize) < anew.points.len());
         if exist { area_vector(face.iter().map(|&v| anew.points[v as usize])).length() } else { 0.0 }

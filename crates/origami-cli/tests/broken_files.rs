@@ -28,7 +28,7 @@ const CASES: &[(&str, i32, &str)] = &[
         0,
         "faces_vertices[0]: runs clockwise: its letters and angles are taken as seen from the other side (and 1 more)",
     ),
-    ("contour-open", 0, "edges_vertices[2]: belongs to no face; it is kept and does not fold"),
+    ("contour-open", 0, "edges_vertices[2]: the border is open between vertices_coords[0] and [3], 1 apart; closed"),
     ("coordinates-are-one", 1, "vertices_coords[0]: invalid length 1, expected two or three coordinates"),
     ("coordinates-are-text", 1, "vertices_coords[2][0]: invalid type: string \"1\", expected a number"),
     ("coordinates-far-off", 0, ""),

@@ -182,7 +182,7 @@ prop_compose! {
         key_frame in frame(),
         frames in vec(frame(), 0..3),
     ) -> Document {
-        Document { spec, classes, metadata, key_frame, frames, warnings: Vec::new() }
+        Document { spec, classes, metadata, key_frame, frames, ..Document::default() }
     }
 }
 

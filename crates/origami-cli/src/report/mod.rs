@@ -11,7 +11,7 @@ pub(crate) use adapter::{Adapter, AdapterDetails};
 pub(crate) use attitude::attitude;
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use note::Note;
-pub(crate) use scene::SceneFacts;
+pub(crate) use scene::{PaperFacts, SceneFacts};
 pub(crate) use sweep::{Asked, Head, Row, Table, Tail, Varied, csv_line, csv_names, json_begin, json_end, json_row};
 
 use std::borrow::Cow;

@@ -18,6 +18,8 @@ pub(crate) struct SceneFacts {
     pub(crate) creases: usize,
     /// Faces of the pattern.
     pub(crate) faces: usize,
+    /// Its pieces and its area.
+    pub(crate) paper: PaperFacts,
     /// Triangles that the faces were cut into.
     pub(crate) triangles: usize,
     /// What is simulated.
@@ -26,6 +28,25 @@ pub(crate) struct SceneFacts {
     pub(crate) left_out: Vec<LeftOut>,
     /// What was odd in the file.
     pub(crate) warnings: Vec<Note>,
+}
+
+/// How much paper there is.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct PaperFacts {
+    /// In how many pieces.
+    pub(crate) pieces: usize,
+    /// In the square of the file's unit.
+    pub(crate) area: f64,
+    /// Spanned by lines and not by faces.
+    pub(crate) lost: f64,
+}
+
+impl PaperFacts {
+    /// That of a pattern.
+    pub(crate) fn of(pattern: &CreasePattern) -> Self {
+        let paper = pattern.paper();
+        Self { pieces: paper.pieces, area: paper.area, lost: paper.lost }
+    }
 }
 
 /// A group of elements.
@@ -58,6 +79,7 @@ impl SceneFacts {
             beams: model.beams.len(),
             creases: model.creases.len(),
             faces: pattern.faces.len(),
+            paper: PaperFacts::of(pattern),
             triangles: model.mesh.triangles.len(),
             built: built.collect(),
             left_out: inventory.left_out.iter().map(LeftOut::from).collect(),

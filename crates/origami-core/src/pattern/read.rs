@@ -15,9 +15,15 @@ impl CreasePattern {
     ///   angles; an edge of one face is boundary. A letter other than `B` on the contour becomes `B`.
     /// - Angles: without them M folds to -180 degrees, V to 180, F and J to 0. A `null` is a free crease. On a sheet that
     ///   is not flat, missing angles are measured from the coordinates.
-    /// - Faces that the file gives are turned to agree with their neighbours. Missing faces are built, on flat patterns,
-    ///   from the lines: vertices nearer than two millionths of the size are merged, lines are split where they cross
-    ///   or where a vertex lies on them, and the regions inside the boundary edges, less the holes, are the paper.
+    /// - Faces that the file gives are turned to agree with their neighbours. Where those of a flat sheet contradict its
+    ///   lines (a crease across a face, a corner on another face's side, corners that each face has for itself, the outside
+    ///   as a face), they are found anew from the lines.
+    /// - Missing faces are built, on patterns in one plane, from the lines: ends that are near each other or near a line
+    ///   are joined, lines are split where they cross or where a vertex lies on them, a border that does not close is
+    ///   closed or refused, and the regions inside the boundary edges, less the holes, are the paper.
+    /// - Near is what is off by rounding, two millionths of the size. Near misses beyond that are joined too where all that
+    ///   is apart on purpose is clearly farther apart: each is named, and in [`joins`](Self::joins). A distance can be
+    ///   given in a [`Reading`].
     /// - The sheet comes apart along cuts (`C`): they become pairs of boundary edges, with copies of the vertices.
     ///
     /// # Errors

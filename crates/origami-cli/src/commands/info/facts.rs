@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use origami::fold::{Document, Frame};
 use origami::model::{Material, Model};
-use origami::pattern::CreasePattern;
+use origami::pattern::{self, CreasePattern, JoinedTo};
 use origami::solve::{Integrator, time_step};
 use origami::{Error, Warning};
 use serde::Serialize;
@@ -13,7 +13,7 @@ use serde_json::Value;
 
 use super::flat::FlatFacts;
 use crate::files::{Input, Opened};
-use crate::report::{Note, SceneFacts};
+use crate::report::{Note, PaperFacts, SceneFacts};
 use crate::settings::scene_warnings;
 
 /// All of it; parts that could not be reached are absent.
@@ -60,6 +60,37 @@ pub(super) struct Pattern {
     pub(super) flat: bool,
     pub(super) size: f64,
     pub(super) fixed: usize,
+    pub(super) paper: PaperFacts,
+    pub(super) joins: Vec<Join>,
+}
+
+/// A near miss that was joined.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(super) struct Join {
+    vertex: u32,
+    with: With,
+    distance: f64,
+    border: bool,
+}
+
+/// What it was joined to.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+enum With {
+    Vertex(u32),
+    Edge(u32),
+    Other,
+}
+
+impl From<&pattern::Join> for Join {
+    fn from(join: &pattern::Join) -> Self {
+        let with = match join.with {
+            JoinedTo::Vertex(vertex) => With::Vertex(vertex.0),
+            JoinedTo::Edge(edge) => With::Edge(edge.0),
+            _ => With::Other,
+        };
+        Self { vertex: join.vertex.0, with, distance: join.distance, border: join.border }
+    }
 }
 
 /// What a model of it would hold.
@@ -93,7 +124,8 @@ impl Facts {
         let index = frame.map_or_else(|| document.pattern_frame(), Ok)?;
         let frame = document.frame(index)?;
         self.file = Some(File::of(&document, format, index, &frame));
-        let pattern = CreasePattern::from_frame(&frame)?;
+        let reading = pattern::Reading::joining(document.join);
+        let pattern = CreasePattern::from_frame_with(&frame, &reading)?;
         self.spoken_warnings.extend_from_slice(&pattern.warnings);
         self.pattern = Some(Pattern::of(&pattern));
         self.flat = Some(FlatFacts::of(&pattern));
@@ -146,6 +178,8 @@ impl Pattern {
             flat: pattern.is_flat(),
             size: pattern.size(),
             fixed: pattern.fixed.len(),
+            paper: PaperFacts::of(pattern),
+            joins: pattern.joins.iter().map(Join::from).collect(),
         }
     }
 }

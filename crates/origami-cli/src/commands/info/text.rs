@@ -59,6 +59,14 @@ fn pattern(text: &mut String, pattern: &Pattern) -> std::fmt::Result {
     if pattern.fixed > 0 {
         write!(text, ", {} fixed", count(pattern.fixed, "vertex", "vertices"))?;
     }
+    let paper = pattern.paper;
+    write!(text, "\n  paper       {}, area {}", count(paper.pieces, "piece", "pieces"), short(paper.area))?;
+    if paper.lost > 0.0 {
+        write!(text, "; {} more lies between lines and is no paper", short(paper.lost))?;
+    }
+    if !pattern.joins.is_empty() {
+        write!(text, "; {} joined", count(pattern.joins.len(), "near miss", "near misses"))?;
+    }
     writeln!(text)
 }
 

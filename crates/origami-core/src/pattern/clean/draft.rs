@@ -19,6 +19,8 @@ pub(super) struct Draft {
     pub(super) join: Option<f64>,
     /// All at one height z.
     pub(super) flat: bool,
+    /// Vertices that lie elsewhere than in the file: loose ends that were taken to the line that they missed.
+    pub(super) moved: Vec<u32>,
     /// The vertex that this one was merged into.
     pub(super) vertex_alias: Vec<Option<u32>>,
     /// Vertices that do not move.
@@ -120,6 +122,12 @@ impl EdgeMap {
 }
 
 impl Draft {
+    /// Moves a vertex of the file.
+    pub(super) fn move_to(&mut self, vertex: usize, point: DVec3) {
+        self.points[vertex] = point;
+        self.moved.push(vertex as u32);
+    }
+
     /// Appends a vertex at `point`.
     pub(super) fn push_vertex(&mut self, point: DVec3, fixed: bool) -> u32 {
         self.points.push(point);

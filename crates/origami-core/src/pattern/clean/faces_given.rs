@@ -7,7 +7,7 @@ use crate::pattern::plane::{area_vector, extent, radius};
 /// Edges shorter than this, in sizes of the pattern, have no length.
 const SHORTEST: f64 = 1e-12;
 /// Faces smaller than this, in squared sizes, have no area.
-const SMALLEST: f64 = 1e-14;
+pub(super) const SMALLEST: f64 = 1e-14;
 /// Faces thinner than this, in radii of the sheet, get no springs: the limit of the model.
 const THIN: f64 = 1e-6;
 

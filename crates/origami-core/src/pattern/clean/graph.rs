@@ -193,6 +193,13 @@ impl Graph {
         }
     }
 
+    /// Moves a loose end onto the line that it misses: else the line would bend to meet it.
+    pub(super) fn take_to_line(&mut self, pieces: &[Piece], split: &Split) -> DVec2 {
+        let [a, b] = self.ends(&pieces[split.piece as usize]);
+        self.points[split.vertex as usize] = a + split.at * (b - a);
+        self.points[split.vertex as usize]
+    }
+
     /// The vertices of the file, numbered below `in_file`, at which lines are split, and how far from the line they lie.
     pub(super) fn touching(&self, in_file: usize, pieces: &[Piece], splits: &[Split]) -> impl Iterator<Item = Meeting> {
         splits.iter().filter(move |split| (split.vertex as usize) < in_file).map(|split| {

@@ -15,7 +15,7 @@ pub(super) struct Meeting {
     vertex: u32,
     with: JoinedTo,
     /// In the unit of the points.
-    distance: f64,
+    pub(super) distance: f64,
 }
 
 /// A vertex that was merged into `other`.

@@ -25,6 +25,7 @@ mod rings;
 mod sides;
 mod sources;
 mod tolerance;
+mod weld;
 
 use glam::{DMat3, DVec3};
 
@@ -95,6 +96,7 @@ impl Sheet {
             join: reading.join()?.map(|join| join * scale),
             flat: plane::is_flat(&vertices),
             points: vertices.iter().map(|&vertex| vertex * scale).collect(),
+            moved: Vec::new(),
             vertex_alias: vec![None; vertices.len()],
             fixed: overrides::fixed(frame, vertices.len())?,
             edges,
@@ -140,26 +142,45 @@ fn found(draft: &mut Draft, was: Option<&str>) -> Result<Sides, Error> {
 fn with_faces(sheet: &mut Sheet, frame: &Frame, reading: &Reading) -> Result<Sides, Error> {
     let faces = frame.faces_vertices.as_deref().unwrap_or_default();
     let given = taken(&mut sheet.draft, faces);
-    let may_differ = sheet.draft.flat && !sheet.draft.edges.is_empty() && !repair::is_folded(frame);
+    let may_differ = sheet.draft.flat && sheet.in_file[1] > 0 && !repair::is_folded(frame);
     let doubt = match &given {
         Ok(sides) => repair::doubt(&sheet.draft, sides),
         Err(error) if repair::may_cure(error) => Doubt::Face,
         Err(_) => Doubt::None,
     };
-    if doubt == Doubt::None || !may_differ {
+    if doubt == Doubt::None {
         return given;
     }
     let mut anew = Sheet::read(frame, reading)?;
-    repair::list_sides(&mut anew.draft, faces);
-    let Ok(sides) = found(&mut anew.draft, None) else { return given };
+    let (found, cure) = match &given {
+        _ if may_differ => {
+            repair::list_sides(&mut anew.draft, faces);
+            (found(&mut anew.draft, None), "the faces were found anew from the lines")
+        }
+        Ok(old) if !sheet.draft.flat => {
+            let open = weld::open_sides(&sheet.draft, old);
+            (welded(&mut anew.draft, faces, &open), "faces that touch were joined")
+        }
+        _ => return given,
+    };
+    let Ok(sides) = found else { return given };
     if let Ok(old) = &given
         && !repair::is_better((&anew.draft, &sides), (&sheet.draft, old), doubt)
     {
         return given;
     }
-    repair::note(&mut anew.draft, faces);
+    repair::note(&mut anew.draft, faces, cure);
     *sheet = anew;
     Ok(sides)
+}
+
+/// The faces of a sheet in space, joined where their open sides touch.
+fn welded(draft: &mut Draft, faces: &[Vec<u32>], open: &[[u32; 2]]) -> Result<Sides, Error> {
+    let mut faces = faces.to_vec();
+    let rounding = tolerance::TOUCH * plane::extent(&draft.points).max_element();
+    let meetings = weld::weld(draft, &mut faces, open, draft.join.unwrap_or(rounding));
+    joins::note(draft, &meetings, rounding);
+    taken(draft, &faces)
 }
 
 /// The faces of the file as they are.
@@ -321,7 +342,7 @@ fn note_isolated(draft: &mut Draft) {
     }
 }
 
-/// The finished pattern. Vertices of the file keep their exact coordinates.
+/// The finished pattern. Vertices of the file keep their exact coordinates, but for loose ends that were joined to a line.
 fn finish(
     draft: Draft,
     mut vertices: Vec<DVec3>,
@@ -332,6 +353,9 @@ fn finish(
     let back = turn.map(|turn| turn.transpose());
     let placed = |&point: &DVec3| back.map_or(point, |back| back * point) / draft.scale;
     vertices.extend(draft.points[vertices.len()..].iter().map(placed));
+    for &vertex in &draft.moved {
+        vertices[vertex as usize] = placed(&draft.points[vertex as usize]);
+    }
     let edge = |edge: DraftEdge| PatternEdge {
         vertices: edge.ends.map(VertexId),
         assignment: edge.letter.unwrap_or(Letter::Unassigned).assignment(),

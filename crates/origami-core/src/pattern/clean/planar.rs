@@ -2,7 +2,7 @@
 
 use super::draft::{Draft, DraftEdge, EdgeMap};
 use super::graph::{Graph, MOST_PIECES, Piece, Split, crowded};
-use super::joins;
+use super::joins::{self, Meeting};
 use super::paper::no_paper;
 use super::tolerance::{Lines, TOUCH, last_digit};
 use crate::csr::Csr;
@@ -24,10 +24,21 @@ pub(super) fn arrange(draft: &mut Draft) -> Result<EdgeMap, Error> {
     if pieces.is_empty() {
         return Err(no_paper());
     }
+    let in_file = draft.points.len();
+    let mut is_loose = loose_ends(in_file, &pieces);
     for _ in 0..ROUNDS {
         let (lines, line_of) = different(&pieces);
         let splits = graph.meetings(&lines)?;
-        meetings.extend(graph.touching(draft.points.len(), &lines, &splits));
+        let touching: Vec<Meeting> = graph.touching(in_file, &lines, &splits).collect();
+        let of_file = splits.iter().filter(|split| (split.vertex as usize) < in_file);
+        for (split, meeting) in of_file.zip(&touching) {
+            let vertex = split.vertex as usize;
+            if meeting.distance > rounding && std::mem::take(&mut is_loose[vertex]) {
+                let foot = graph.take_to_line(&lines, split);
+                draft.move_to(vertex, foot.extend(draft.points[vertex].z));
+            }
+        }
+        meetings.extend(touching);
         if splits.is_empty() {
             joins::note(draft, &meetings, rounding);
             graph.append_crossings(draft);
@@ -50,6 +61,16 @@ fn graph(draft: &Draft, rounding: f64) -> Graph {
     let digit = draft.scale * last_digit(draft.points.iter().flat_map(|p| [p.x, p.y]).map(|x| x / draft.scale));
     let tolerance = Lines { points: &graph.points, lines: &lines, touch: rounding, digit }.tolerance();
     if tolerance > rounding { Graph::new(&draft.points, tolerance) } else { graph }
+}
+
+/// Whether each vertex is the end of one line only.
+fn loose_ends(vertices: usize, pieces: &[Piece]) -> Vec<bool> {
+    let (lines, _) = different(pieces);
+    let mut count = vec![0u8; vertices];
+    for vertex in lines.iter().flat_map(|line| line.ends) {
+        count[vertex as usize] = count[vertex as usize].saturating_add(1);
+    }
+    count.into_iter().map(|lines| lines == 1).collect()
 }
 
 /// The edges that have a length between the vertices that stand for their ends.

@@ -1,10 +1,11 @@
 //! Faces of the file that contradict its lines: creases across a face, corners on the side of another face, corners that
 //! each face has for itself, a side there and back, the outside as a face. On a flat sheet the faces are found anew from
-//! the lines, where that lets more creases fold and no paper goes.
+//! the lines, in space those that touch are joined, where that lets more creases fold and no paper goes.
 
 use glam::DVec2;
 
 use super::draft::{Draft, DraftEdge, EdgeMap, GivenAngle};
+use super::faces_given::SMALLEST;
 use super::letters::Letter;
 use super::sides::Sides;
 use crate::error::{Error, ErrorCode, Place, WarningCode};
@@ -24,11 +25,8 @@ pub(super) fn is_folded(frame: &Frame) -> bool {
 
 /// Whether faces that lead to this refusal may be found anew.
 pub(super) fn may_cure(error: &Error) -> bool {
-    use ErrorCode::{CornerTwice, EdgeOfManyFaces, EdgeWithoutLength, FaceOfFewCorners, FaceWithoutArea, OneSided};
-    matches!(
-        error.code(),
-        CornerTwice | EdgeOfManyFaces | EdgeWithoutLength | FaceOfFewCorners | FaceWithoutArea | OneSided
-    )
+    use ErrorCode::{CornerTwice, EdgeOfManyFaces, EdgeWithoutLength, OneSided};
+    matches!(error.code(), CornerTwice | EdgeOfManyFaces | EdgeWithoutLength | OneSided)
 }
 
 /// What speaks against faces that could be taken as they are.
@@ -54,8 +52,8 @@ pub(super) fn doubt(draft: &Draft, sides: &Sides) -> Doubt {
     if draft.flat && has_outside(draft, sides) {
         return Doubt::Outside;
     }
-    let wants_two = draft.edges.iter().filter(|edge| wants_two_faces(edge)).count();
-    if hinges(draft, sides) < wants_two { Doubt::Idle } else { Doubt::None }
+    let wanted = wanted(draft);
+    if hinges(draft, sides, &wanted) < wanted.len() { Doubt::Idle } else { Doubt::None }
 }
 
 /// Whether the outside is a face: no side is left without a second face, or one at a border lies on the first.
@@ -77,19 +75,19 @@ fn has_outside(draft: &Draft, sides: &Sides) -> bool {
     !contour
 }
 
-/// A crease that folds, or a cut.
-fn wants_two_faces(edge: &DraftEdge) -> bool {
-    match edge.letter {
+/// The edges that want two faces: creases that fold, and cuts.
+fn wanted(draft: &Draft) -> Vec<usize> {
+    let wants_two = |edge: &DraftEdge| match edge.letter {
         Some(letter) => letter.drives() || letter == Letter::Cut,
         None => matches!(edge.given, GivenAngle::Degrees(degrees) if degrees != 0.0),
-    }
+    };
+    draft.edges.iter().enumerate().filter(|(_, edge)| wants_two(edge)).map(|(index, _)| index).collect()
 }
 
-/// How many of the edges that want two faces have them.
-fn hinges(draft: &Draft, sides: &Sides) -> usize {
-    let two = |index: usize| sides.get(index).is_some_and(|pair| pair[1].is_some());
-    let wanted = draft.edges.iter().enumerate().filter(|(_, edge)| wants_two_faces(edge));
-    wanted.filter(|(index, edge)| two(edge.alias.map_or(*index, |alias| alias as usize))).count()
+/// How many of these edges, or the edges that stand for them, have two faces.
+fn hinges(draft: &Draft, sides: &Sides, edges: &[usize]) -> usize {
+    let stands_for = |edge: usize| draft.edges[edge].alias.map_or(edge, |alias| alias as usize);
+    edges.iter().filter(|&&edge| sides[stands_for(edge)][1].is_some()).count()
 }
 
 /// Whether the outline neither crosses nor touches itself but at corners.
@@ -107,6 +105,10 @@ fn is_simple(mut corners: Vec<DVec2>) -> bool {
         return true;
     }
     let area: f64 = (1..count.saturating_sub(1)).map(|i| orient(corner(0), corner(i), corner(i + 1))).sum();
+    if area.abs() < SMALLEST {
+        // There is a warning of those.
+        return true;
+    }
     if area < 0.0 {
         corners.reverse();
     }
@@ -140,7 +142,8 @@ pub(super) fn is_better(anew: (&Draft, &Sides), given: (&Draft, &Sides), doubt: 
         draft.faces.iter().map(of).sum()
     };
     let [new, old] = [area(anew.0), area(given.0)];
-    let [folds, folded] = [hinges(anew.0, anew.1), hinges(given.0, given.1)];
+    let wanted = wanted(given.0);
+    let [folds, folded] = [anew, given].map(|(draft, sides)| hinges(draft, sides, &wanted));
     let is_same = |new: f64, old: f64| (new - old).abs() <= SAME_AREA * old;
     match doubt {
         Doubt::None => false,
@@ -150,8 +153,8 @@ pub(super) fn is_better(anew: (&Draft, &Sides), given: (&Draft, &Sides), doubt: 
     }
 }
 
-/// Warns of the faces of the file that are none between its lines.
-pub(super) fn note(anew: &mut Draft, faces: &[Vec<u32>]) {
+/// Warns of the faces of the file that are not among those found anew; `cure` says how.
+pub(super) fn note(anew: &mut Draft, faces: &[Vec<u32>], cure: &str) {
     let stands_for = |v: u32| anew.vertex_alias.get(v as usize).copied().flatten().unwrap_or(v);
     let sorted = |face: &Vec<u32>| {
         let mut face: Vec<u32> = face.iter().map(|&v| stands_for(v)).collect();
@@ -168,7 +171,13 @@ pub(super) fn note(anew: &mut Draft, faces: &[Vec<u32>]) {
             _ => wrong.push(index),
         }
     }
-    let first = wrong.first().copied().unwrap_or_default();
+    let Some(&first) = wrong.first() else {
+        if anew.vertex_alias.iter().any(Option::is_some) {
+            let message = format!("had corners of their own where they touch; {cure}: {}", anew.faces.len());
+            anew.notes.add_one(WarningCode::FacesRepaired, Place::key("faces_vertices"), message);
+        }
+        return;
+    };
     let area = |face: &[u32]| {
         let exist = face.iter().all(|&v| (v as usize) < anew.points.len());
         if exist { area_vector(face.iter().map(|&v| anew.points[v as usize])).length() } else { 0.0 }
@@ -186,8 +195,7 @@ pub(super) fn note(anew: &mut Draft, faces: &[Vec<u32>]) {
     if let Some(outer) = outer {
         message += &format!("; [{outer}] lies on all others: the outside of the sheet?");
     }
-    let faces = anew.faces.len();
-    message += &format!("; the faces were found anew from the lines: {faces}");
+    message += &format!("; {cure}: {}", anew.faces.len());
     anew.notes.add_one(WarningCode::FacesRepaired, Place::entry("faces_vertices", first), message);
 }
 

@@ -53,13 +53,13 @@ pub(super) fn join(runs: &mut [Run], tolerance: f64) -> Vec<usize> {
             moved.push(runs[run].stroke);
         }
     }
-    runs.iter_mut().for_each(|run| {
+    for run in runs.iter_mut() {
         run.nodes.dedup_by(|next, before| {
             let same = next.at == before.at;
             before.kept |= same && next.kept;
             same
-        })
-    });
+        });
+    }
     moved
 }
 

@@ -2,12 +2,14 @@
 //!
 //! 1. [`runs`]: each stroke in many short pieces, far closer to the curve than asked for.
 //! 2. [`ends`], [`knots`]: ends that nearly meet do; where strokes cross, and where one ends on another, both have a point.
+//!    [`bridges`] tie to each other what does not touch.
 //! 3. [`spread`]: of all these points those are kept that the tolerance needs, and those that face a kept point across a face:
 //!    a ruling leaves a curve as nearly at a right angle as it can.
 //! 4. [`rulings`]: each face between the kept points is cut along rulings, which become flat lines.
 //!
 //! `docs/CURVED.md` says why, and what was measured.
 
+mod bridges;
 mod ends;
 mod faces;
 mod knots;
@@ -61,13 +63,21 @@ pub(crate) fn lines(strokes: Vec<Stroke>, tolerance: Option<f64>) -> Result<Line
     let moved = ends::join(&mut runs, tolerance);
     runs.retain(|run| run.nodes.len() > 1);
     knots::tie(&mut runs, tolerance);
+    let bridges = bridges::find(&mut runs);
     // The faces between the fine pieces say which points face each other. Where there are none, nothing is to be faced.
-    let faces = pattern(&strokes, &runs).map_or_else(Vec::new, |pattern| faces::of(&pattern, &runs));
+    let faces = pattern(&strokes, &runs, &bridges).map_or_else(Vec::new, |pattern| faces::of(&pattern, &runs));
     let feet = spread::choose(&mut runs, &faces, tolerance);
     runs.iter_mut().for_each(Run::thin);
     spread::split(&mut runs, &feet, size);
-    let rulings = pattern(&strokes, &runs).map_or_else(Vec::new, |pattern| rulings::of(&faces::of(&pattern, &runs)));
+    let faces = pattern(&strokes, &runs, &bridges).map_or_else(Vec::new, |pattern| faces::of(&pattern, &runs));
+    let (rulings, uncut) = rulings::of(&faces);
+    let rulings = [bridges, rulings].concat();
     let mut lines = written(&strokes, &runs, &rulings);
+    for _ in 0..uncut {
+        let message =
+            "a face between curves has too many corners for rulings, or touches itself; it is cut as others are";
+        lines.note(WarningCode::Fallback, || Place::from("curve-tolerance"), message);
+    }
     for stroke in moved {
         let place = || Place::key("edges_vertices").written_at(&strokes[stroke].source);
         let message = "an end is within the curve tolerance of another stroke, and was moved there";
@@ -77,8 +87,8 @@ pub(crate) fn lines(strokes: Vec<Stroke>, tolerance: Option<f64>) -> Result<Line
 }
 
 /// The pattern that the runs make, if they make one.
-fn pattern(strokes: &[Stroke], runs: &[Run]) -> Option<CreasePattern> {
-    CreasePattern::from_document(&written(strokes, runs, &[]).into_document(), 0).ok()
+fn pattern(strokes: &[Stroke], runs: &[Run], bridges: &[[DVec2; 2]]) -> Option<CreasePattern> {
+    CreasePattern::from_document(&written(strokes, runs, bridges).into_document(), 0).ok()
 }
 
 fn written(strokes: &[Stroke], runs: &[Run], rulings: &[[DVec2; 2]]) -> Lines {

@@ -5,27 +5,32 @@ use glam::DVec2;
 
 use super::faces::{Corner, Face};
 
-/// Faces with more corners are left to the triangulation of the mesh.
-const MOST: usize = 700;
+/// Faces are left to the triangulation of the mesh once the cubes of their corners add up to this: one of 1000 corners, or
+/// 125 of 200.
+const WORK: usize = 1_000_000_000;
 /// Triangles with less area than this, in squares of the face's size, are none.
 const AREA: f64 = 1e-10;
 /// How much the length of a side counts, in sizes of the face, where angles do not decide.
 const LENGTH: f64 = 1e-3;
 
-/// The lines that cut `faces`.
-pub(super) fn of(faces: &[Face]) -> Vec<[DVec2; 2]> {
-    faces.iter().flat_map(|face| cut(face).into_iter().map(|[i, j]| [face[i].at, face[j].at])).collect()
+/// The lines that cut `faces`, and how many faces could not be cut.
+pub(super) fn of(faces: &[Face]) -> (Vec<[DVec2; 2]>, usize) {
+    let (mut lines, mut uncut) = (Vec::new(), 0);
+    let mut work = 0;
+    for face in faces.iter().filter(|face| face.len() > 3) {
+        work += face.len().pow(3);
+        let Some(diagonals) = (work <= WORK).then(|| cut(face)).flatten() else {
+            uncut += 1;
+            continue;
+        };
+        lines.extend(diagonals.into_iter().map(|[i, j]| [face[i].at, face[j].at]));
+    }
+    (lines, uncut)
 }
 
 /// The diagonals that cut a face in triangles, by their corners; none if it cannot be cut.
-fn cut(face: &[Corner]) -> Vec<[usize; 2]> {
+fn cut(face: &[Corner]) -> Option<Vec<[usize; 2]>> {
     let count = face.len();
-    if !(4..=MOST).contains(&count) {
-        if count > MOST {
-            eprintln!("MANY {count}");
-        }
-        return Vec::new();
-    }
     let low = face.iter().fold(DVec2::INFINITY, |low, corner| low.min(corner.at));
     let high = face.iter().fold(DVec2::NEG_INFINITY, |high, corner| high.max(corner.at));
     let size = (high - low).max_element();
@@ -65,7 +70,9 @@ fn cut(face: &[Corner]) -> Vec<[usize; 2]> {
             continue;
         }
         let k = third[i * count + j];
-        if k == usize::MAX {}
+        if k == usize::MAX {
+            return None;
+        }
         for part in [[i, k], [k, j]] {
             if part[1] > part[0] + 1 {
                 found.push(part);
@@ -73,7 +80,7 @@ fn cut(face: &[Corner]) -> Vec<[usize; 2]> {
             waiting.push(part);
         }
     }
-    found
+    Some(found)
 }
 
 /// How far a line between two corners is from right angles to their curves: the sum of the squared cosines.
@@ -104,9 +111,10 @@ fn diagonals(face: &[Corner], least: f64) -> Vec<bool> {
             let [a, b] = [at(i), at(j)];
             let blocked = (0..count).any(|side| {
                 let next = (side + 1) % count;
-                if [side, next].iter().any(|end| *end == i || *end == j) {
+                // The two sides of a bridge have their ends at one place.
+                if [side, next].iter().any(|end| at(*end) == a || at(*end) == b) {
                     // A corner on the line, seen from its neighbours too.
-                    return [side, next].into_iter().any(|end| end != i && end != j && touches(a, b, at(end), least));
+                    return [side, next].into_iter().any(|end| touches(a, b, at(end), least));
                 }
                 let [c, d] = [at(side), at(next)];
                 let (from_c, from_d) = (turn(a, b, c), turn(a, b, d));
@@ -121,6 +129,9 @@ fn diagonals(face: &[Corner], least: f64) -> Vec<bool> {
 
 /// Whether a point lies on a line, between its ends.
 fn touches(a: DVec2, b: DVec2, point: DVec2, least: f64) -> bool {
+    if point == a || point == b {
+        return false;
+    }
     let along = (point - a).dot(b - a);
     (b - a).perp_dot(point - a).abs() <= least && along >= 0.0 && along <= a.distance_squared(b)
 }

@@ -1,6 +1,7 @@
 //! Which of the fine points of curves are kept: as many as the tolerance needs, and such that they face each other.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use glam::DVec2;
 
@@ -14,6 +15,8 @@ const APART: f64 = 0.5;
 /// Points face each other if the squared cosines of the angles between their ruling and the curves are not more than
 /// this: 45 degrees at both ends.
 const FACING: f64 = 1.0;
+/// Gaps are filled with pieces of this share of what the tolerance allows, as fine points are not exactly where they should be.
+const EVEN: f64 = 0.9;
 /// Gaps in a run are filled so often.
 const PASSES: usize = 4;
 
@@ -28,12 +31,13 @@ enum Facing {
 /// Marks the points of curved runs that are kept, and returns the places on straight lines that kept points face.
 pub(super) fn choose(runs: &mut [Run], faces: &[Face], tolerance: f64) -> Vec<DVec2> {
     let mut chosen = Chosen::new(runs, faces, tolerance);
-    let mut order: Vec<(usize, f64)> = (0..chosen.runs.len()).map(|run| (run, chosen.need(run))).collect();
+    let mut order: Vec<(usize, f64)> = (0..chosen.runs.len())
+        .filter(|run| chosen.runs[*run].curved)
+        .map(|run| (run, chosen.need(run, 0..chosen.runs[run].nodes.len() - 1)))
+        .collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-    for (run, need) in order {
-        if need > 0.0 {
-            (0..PASSES).for_each(|_| chosen.fill(run));
-        }
+    for (run, _) in order {
+        (0..PASSES).for_each(|_| chosen.fill(run));
     }
     chosen.feet
 }
@@ -75,13 +79,10 @@ impl<'a> Chosen<'a> {
         if curvature > 0.0 { (8.0 * self.tolerance / curvature).sqrt() } else { f64::INFINITY }
     }
 
-    /// About how many pieces a run needs.
-    fn need(&self, run: usize) -> f64 {
-        if !self.runs[run].curved {
-            return 0.0;
-        }
-        let pieces = self.runs[run].nodes.windows(2).enumerate();
-        pieces.map(|(index, ends)| ends[0].at.distance(ends[1].at) / self.reach(run, index.max(1))).sum()
+    /// About how many pieces a part of a run needs.
+    fn need(&self, run: usize, part: Range<usize>) -> f64 {
+        let nodes = &self.runs[run].nodes;
+        part.map(|node| nodes[node].at.distance(nodes[node + 1].at) / self.reach(run, node.max(1))).sum()
     }
 
     /// Chooses points where kept ones are too far apart.
@@ -90,10 +91,10 @@ impl<'a> Chosen<'a> {
             (0..self.runs[run].nodes.len()).filter(|node| self.runs[run].nodes[*node].kept).collect();
         for gap in kept.windows(2) {
             let nodes = &self.runs[run].nodes[gap[0]..=gap[1]];
-            let parts = (sagitta(nodes) / self.tolerance).sqrt().ceil() as usize;
-            if parts < 2 {
+            if sagitta(nodes) <= self.tolerance {
                 continue;
             }
+            let parts = ((self.need(run, gap[0]..gap[1]) / EVEN).ceil() as usize).max(2);
             let lengths: Vec<f64> = nodes
                 .windows(2)
                 .scan(0.0, |length, ends| {

@@ -5,17 +5,20 @@ use std::path::{Path, PathBuf};
 
 use origami::export::{check_writable, remove_unfinished};
 
-use super::{Destination, Input, Target};
+use super::{Destination, Input};
 
 /// No output may be one of the inputs, under whatever name: what was folded is all that is left of a pattern then.
 ///
 /// # Errors
 /// Which one is.
-pub(crate) fn refuse_replaced<'a>(inputs: &[Input], targets: impl Iterator<Item = &'a Target>) -> Result<(), String> {
+fn refuse_replaced<'a>(
+    inputs: &[Input],
+    destinations: impl IntoIterator<Item = &'a Destination>,
+) -> Result<(), String> {
     let identities = inputs.iter().filter_map(|input| input.file().and_then(Identity::of));
     let identities: BTreeSet<Identity> = identities.collect();
-    for target in targets {
-        if let Destination::File(path) = &target.destination
+    for destination in destinations {
+        if let Destination::File(path) = destination
             && Identity::of(path).is_some_and(|identity| identities.contains(&identity))
         {
             let what = "would be replaced by what is made from it";
@@ -55,6 +58,25 @@ impl Identity {
             path.canonicalize().ok().map(Self::Path)
         }
     }
+}
+
+/// All that holds of destinations that are asked for by name: none is an input, each can be written. What programs that
+/// were killed have left beside them is removed.
+///
+/// # Errors
+/// As for [`refuse_replaced`] and [`refuse_unwritable`].
+pub(crate) fn refuse_beforehand<'a>(
+    inputs: &[Input],
+    destinations: impl Iterator<Item = &'a Destination> + Clone,
+) -> Result<(), String> {
+    let files = destinations.clone().filter_map(|destination| match destination {
+        Destination::File(path) => Some(path.as_path()),
+        Destination::Stdout => None,
+    });
+    refuse_replaced(inputs, destinations)?;
+    refuse_unwritable(files.clone())?;
+    tidy(files);
+    Ok(())
 }
 
 /// Every file can be written, as far as trying tells; where its folder is still to be made, the folder above can.

@@ -25,6 +25,7 @@ fn what_cannot_be_is_refused_before_the_first_step_and_before_any_output() {
         ("fold square.fold -o a.obj --frames 2 --animate f.gif --size 1x1", "leave no room"),
         ("fold square.fold -o a.obj --sheet s.png --size 1x1", "leave no room"),
         ("render ring.fold -o a.png -o a.svg", "the sheet is not flat"),
+        ("convert ring.fold -o a.fold -o b.svg", "ring.fold: "),
         ("sweep ring.fold -o out --folded obj,svg", "ring.fold: vertices_coords: the sheet is not flat"),
         (
             "fold square.fold -o a.obj -o x.glb --frames 40000",
@@ -49,6 +50,7 @@ fn what_cannot_be_written_is_refused_before_any_output() {
         "fold square.fold -o a.obj -o /sys/new/",
         "sweep square.fold -o /sys/out",
         "pattern miura -o /sys/a.fold",
+        "convert square.fold -o a.fold -o /sys/a.fold",
         "render square.fold -o a.png -o /sys/a.svg",
     ] {
         let ran = place.run(words);
@@ -89,6 +91,7 @@ fn text_from_outside_steers_no_terminal() {
         &["fold", "\u{1b}[31mx.fold", "letter.fold", "-o", "out/"],
         &["sweep", "\u{1b}[31mx.fold", "-o", "\u{1b}[2Jout", "--percent", "1"],
         &["render", "\u{1b}[31mx.fold", "-o", "\u{1b}[2Ja.svg"],
+        &["convert", "\u{1b}[31mx.fold", "-o", "\u{1b}[2Ja.fold"],
         &["pattern", "\u{1b}[31mmiura", "-o", "b.fold"],
         &["pattern", "miura", "--set", "\u{1b}[31m=3", "-o", "b.fold"],
         &["\u{1b}[31mfold"],

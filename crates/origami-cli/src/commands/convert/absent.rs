@@ -1,10 +1,11 @@
 //! A build without the feature `formats`: what is no FOLD is refused before any work.
 
+use std::io::Write;
+
 use origami::{CreasePattern, Error, Warning};
 
 use super::Form;
 use crate::args::ConvertArgs;
-use crate::files::Destination;
 
 const ABSENT: &str = "this build writes patterns as FOLD only (feature `formats`)";
 const EXPECTED: &str = "a build without --no-default-features or with --features formats";
@@ -27,7 +28,7 @@ impl Writers {
         &self,
         _form: Form,
         _pattern: &CreasePattern,
-        _destination: &Destination,
+        _writer: &mut dyn Write,
     ) -> Result<Vec<Warning>, Error> {
         Err(Error::invalid("formats", ABSENT, EXPECTED))
     }

@@ -10,15 +10,16 @@ mod writers;
 use std::path::Path;
 use std::time::Duration;
 
-use origami::CreasePattern;
 use origami::export::Template;
+use origami::{CreasePattern, Error};
 
 use crate::args::ConvertArgs;
 use crate::console;
 use crate::exit::{Exit, Failure};
-use crate::files::{self, Destination, Input, Reading, write_document};
+use crate::files::{self, Destination, Input, Reading, whole};
 use crate::numbers::{count, duration};
 use crate::stopwatch::Stopwatch;
+use crate::text::plain;
 
 use writers::Writers;
 
@@ -56,6 +57,7 @@ pub(super) fn run(args: &ConvertArgs) -> Result<Exit, Failure> {
     let mut watch = Stopwatch::start();
     let input = Input::new(&args.input, &Reading::new(&args.reading)?);
     let targets = targets(args)?;
+    files::refuse_beforehand(std::slice::from_ref(&input), targets.iter().map(|(destination, _)| destination))?;
     let writers = Writers::new(args, targets.iter().map(|(_, form)| *form))?;
 
     let told = |error| input.describe(&error);
@@ -67,13 +69,19 @@ pub(super) fn run(args: &ConvertArgs) -> Result<Exit, Failure> {
     if !args.quiet {
         pattern.warnings.iter().for_each(console::warning);
     }
+    // What cannot be written as one of them is refused before any is written.
+    let mut contents = Vec::new();
     for (destination, form) in &targets {
-        let warnings = if *form == Form::Fold {
-            write_document(destination, &template.crease_pattern(&pattern)).map_err(told)?;
-            Vec::new()
-        } else {
-            writers.write(*form, &pattern, destination).map_err(told)?
+        let mut bytes = Vec::new();
+        let warnings = match form {
+            Form::Fold => template.crease_pattern(&pattern).write_to(&mut bytes).map(|()| Vec::new()),
+            _ => writers.write(*form, &pattern, &mut bytes),
         };
+        contents.push((destination, bytes, warnings.map_err(told)?));
+    }
+    for (destination, bytes, warnings) in contents {
+        let put = |source| Error::Io { path: "-".to_owned(), source };
+        whole(destination, |writer| writer.write_all(&bytes).map_err(put))?;
         if !args.quiet {
             warnings.iter().for_each(console::warning);
         }
@@ -86,7 +94,7 @@ pub(super) fn run(args: &ConvertArgs) -> Result<Exit, Failure> {
         if names.iter().any(|name| name == "-") {
             console::say(&line);
         } else {
-            console::print(format!("{line}\n").as_bytes())?;
+            console::print_text(&format!("{}\n", plain(&line)))?;
         }
     }
     Ok(Exit::Done)
@@ -101,9 +109,6 @@ fn targets(args: &ConvertArgs) -> Result<Vec<(Destination, Form)>, String> {
         files::refuse_missing_folder(path)?;
         if targets.iter().any(|(other, _)| other.is(&destination)) {
             return Err(format!("{destination} is named twice as an output; expected different ones"));
-        }
-        if destination.is(&Destination::new(&args.input)) && destination != Destination::Stdout {
-            return Err(format!("{destination}: would be replaced by what is made of it; expected another file"));
         }
         targets.push((destination, form));
     }

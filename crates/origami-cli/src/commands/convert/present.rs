@@ -7,7 +7,6 @@ use origami::{CreasePattern, Error, Warning};
 
 use super::Form;
 use crate::args::{ConvertArgs, LinesName};
-use crate::files::{Destination, whole};
 
 /// How patterns are written.
 pub(super) struct Writers(Options);
@@ -26,25 +25,20 @@ impl Writers {
         Ok(Self(options))
     }
 
-    /// Writes one file, whole or not at all; tells what it cannot hold.
+    /// Writes one of them; tells what it cannot hold.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a pattern that is not flat, [`Error::Io`] where the system refuses.
+    /// [`Error::Invalid`] for a pattern that is not flat, [`Error::Io`] where writing fails.
     pub(super) fn write(
         &self,
         form: Form,
         pattern: &CreasePattern,
-        destination: &Destination,
+        writer: &mut dyn Write,
     ) -> Result<Vec<Warning>, Error> {
-        let mut warnings = Vec::new();
-        whole(destination, |writer: &mut dyn Write| {
-            warnings = match form {
-                Form::Cp => cp(pattern, &self.0, writer)?,
-                Form::Dxf => dxf(pattern, &self.0, writer)?,
-                _ => svg(pattern, &self.0, writer)?,
-            };
-            Ok(())
-        })?;
-        Ok(warnings)
+        match form {
+            Form::Cp => cp(pattern, &self.0, writer),
+            Form::Dxf => dxf(pattern, &self.0, writer),
+            _ => svg(pattern, &self.0, writer),
+        }
     }
 }

@@ -36,9 +36,8 @@ pub(super) fn run(args: &FoldArgs) -> Result<Exit, Failure> {
     }
     let report_to = args.report.as_deref().map(Destination::new);
     check_streams(&inputs, &targets, report_to.as_ref())?;
-    files::refuse_replaced(&inputs, targets.iter().flatten())?;
-    files::refuse_unwritable(paths(&targets, report_to.as_ref()))?;
-    files::tidy(paths(&targets, report_to.as_ref()));
+    let named = targets.iter().flatten().map(|target| &target.destination).chain(&report_to);
+    files::refuse_beforehand(&inputs, named)?;
     if !args.quiet {
         oddities::of_fold(args, &formats).iter().for_each(console::warning);
         warn_of_single_stages(args, &targets);
@@ -58,15 +57,6 @@ pub(super) fn run(args: &FoldArgs) -> Result<Exit, Failure> {
     }
     queue.result()?;
     Ok(exit)
-}
-
-/// All files that are named or planned.
-fn paths<'a>(targets: &'a [Vec<Target>], report: Option<&'a Destination>) -> impl Iterator<Item = &'a Path> {
-    let targets = targets.iter().flatten().map(|target| &target.destination);
-    targets.chain(report).filter_map(|destination| match destination {
-        Destination::File(path) => Some(path.as_path()),
-        Destination::Stdout => None,
-    })
 }
 
 /// Which files are written.

@@ -11,7 +11,7 @@ use crate::backend::Backend;
 use crate::console;
 use crate::draw::{self, Artist, Faults, Style, Subject};
 use crate::exit::{Exit, Failure};
-use crate::files::{self, Destination, Format, Input, Reading, Target, whole};
+use crate::files::{self, Destination, Format, Input, Reading, whole};
 use crate::numbers::duration;
 use crate::oddities::{self, Drawn};
 use crate::stopwatch::Stopwatch;
@@ -25,14 +25,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     let mut watch = Stopwatch::start();
     let input = Input::new(&args.input, &Reading::new(&args.reading)?);
     let outputs = outputs(args)?;
-    let target = |(destination, format): &(Destination, Format)| Target {
-        destination: destination.clone(),
-        format: *format,
-        folder: None,
-    };
-    files::refuse_replaced(std::slice::from_ref(&input), outputs.iter().map(target).collect::<Vec<_>>().iter())?;
-    files::refuse_unwritable(paths(&outputs))?;
-    files::tidy(paths(&outputs));
+    files::refuse_beforehand(std::slice::from_ref(&input), outputs.iter().map(|(destination, _)| destination))?;
     let style = Style::new(&args.picture)?;
     // Without a word the processor draws.
     let wanted = if args.backend == BackendName::Auto { BackendName::Cpu } else { args.backend };
@@ -147,14 +140,6 @@ fn drawn_as(format: Format, as_pattern: bool) -> Drawn {
         _ if as_pattern => Drawn::Pattern,
         _ => Drawn::Sheet,
     }
-}
-
-/// Those that are files.
-fn paths(outputs: &[(Destination, Format)]) -> impl Iterator<Item = &Path> {
-    outputs.iter().filter_map(|(destination, _)| match destination {
-        Destination::File(path) => Some(path.as_path()),
-        Destination::Stdout => None,
-    })
 }
 
 /// Where to write, and as what.

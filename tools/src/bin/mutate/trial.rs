@@ -84,11 +84,11 @@ fn written(
     }
 }
 
-/// The pattern as CP, SVG and DXF: each is read again, with as many lines.
+/// The pattern as CP, SVG and DXF: each is read again, with lines as long in sum.
 fn read_again(pattern: &CreasePattern) -> Result<(), String> {
-    let mut options = write::Options::default();
-    options.joined = Some(false);
-    let lines = write::strokes(pattern, None).map_err(|error| error.to_string())?.len();
+    let options = write::Options::default();
+    let strokes = write::strokes(pattern, None).map_err(|error| error.to_string())?;
+    let length: f64 = strokes.iter().map(|stroke| stroke.ends[0].distance(stroke.ends[1])).sum();
     let (mut cp, mut svg, mut dxf) = (Vec::new(), Vec::new(), Vec::new());
     let written = [
         ("CP", write::cp(pattern, &options, &mut cp), &cp),
@@ -99,9 +99,12 @@ fn read_again(pattern: &CreasePattern) -> Result<(), String> {
         done.map_err(|error| format!("{name}: {error}"))?;
         let read = formats::read(bytes, None, &formats::Options::default());
         let read = read.map_err(|error| format!("the {name} that was written is not read: {error}"))?;
-        let found = read.key_frame.edges_vertices.map_or(0, |edges| edges.len());
-        if found != lines {
-            return Err(format!("{lines} lines were written as {name}, and {found} are read"));
+        let frame = read.key_frame;
+        let (coords, edges) = (frame.vertices_coords.unwrap_or_default(), frame.edges_vertices.unwrap_or_default());
+        let at = |vertex: u32| coords[vertex as usize].position;
+        let found: f64 = edges.iter().map(|[a, b]| at(*a).distance(at(*b))).sum();
+        if (found - length).abs() > 1e-5 * length {
+            return Err(format!("lines of length {length} were written as {name}, and of {found} are read"));
         }
     }
     Ok(())

@@ -126,7 +126,7 @@ fn the_undamaged_texts_are_read() {
 
 /// How many cases: `ORIGAMI_MUTATIONS` gives more, for a long run.
 fn cases() -> u32 {
-    std::env::var("ORIGAMI_MUTATIONS").ok().and_then(|number| number.parse().ok()).unwrap_or(3000)
+    std::env::var("ORIGAMI_MUTATIONS").ok().and_then(|number| number.parse().ok()).unwrap_or(1500)
 }
 
 proptest! {

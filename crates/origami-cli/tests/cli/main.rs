@@ -4,6 +4,7 @@
 mod batch;
 mod dangers;
 mod fold;
+mod formats;
 mod gpu;
 mod help;
 mod info;

@@ -116,9 +116,7 @@ impl SheetBuilder {
             vertices: self.vertices,
             edges: self.edges,
             faces: self.faces,
-            fixed: Vec::new(),
-            warnings: Vec::new(),
-            sources: Vec::new(),
+            ..CreasePattern::default()
         }
     }
 }

@@ -2,10 +2,11 @@
 
 use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};
 
-use crate::{Format, cp, foreign, orh, text};
+use super::{Format, foreign};
+use crate::{cp, orh, text};
 
 /// What a file seems to be.
-pub(crate) enum Content {
+pub(super) enum Content {
     Known(Format),
     /// Something else, by name.
     Foreign(String),
@@ -20,7 +21,7 @@ const HEAD: usize = 1 << 16;
 const LINES: usize = 200;
 
 /// What these bytes are.
-pub(crate) fn sniff(bytes: &[u8]) -> Content {
+pub(super) fn sniff(bytes: &[u8]) -> Content {
     if let Some(what) = foreign::binary(bytes) {
         return Content::Foreign(what.to_owned());
     }

@@ -1,11 +1,12 @@
 //! What a file is: by its content first, by its name where the content does not tell.
 
+mod foreign;
+mod sniff;
+
 use std::fmt;
 use std::path::Path;
 
 use origami_core::error::{Error, ErrorCode, Place};
-
-use crate::sniff;
 
 /// A format that can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -38,7 +38,7 @@ const BEGINNINGS: [(&[u8], &str); 33] = [
 ];
 
 /// What a file is that its first bytes or its shape tell to be none of a crease pattern.
-pub(crate) fn binary(bytes: &[u8]) -> Option<&'static str> {
+pub(super) fn binary(bytes: &[u8]) -> Option<&'static str> {
     let found = BEGINNINGS.iter().find(|(start, _)| bytes.starts_with(start)).map(|(_, name)| *name);
     // Text may begin with these letters too.
     let text = || bytes.iter().take(512).all(|byte| *byte >= 0x20 || byte.is_ascii_whitespace());
@@ -57,7 +57,7 @@ fn is_binary_stl(bytes: &[u8]) -> bool {
 }
 
 /// What an XML file with a root element of this name is.
-pub(crate) fn xml(root: &str) -> String {
+pub(super) fn xml(root: &str) -> String {
     match root.to_ascii_lowercase().as_str() {
         "html" => "an HTML page, as comes in place of a file when it has to be downloaded otherwise".to_owned(),
         "collada" => "a COLLADA model".to_owned(),
@@ -69,7 +69,7 @@ pub(crate) fn xml(root: &str) -> String {
 }
 
 /// What a JSON file with these keys at its top is, if it is known and no pattern.
-pub(crate) fn json(keys: &[String]) -> Option<&'static str> {
+pub(super) fn json(keys: &[String]) -> Option<&'static str> {
     let has = |all: &[&str]| all.iter().all(|key| keys.iter().any(|own| own == key));
     if has(&["asset"]) && (has(&["scenes"]) || has(&["meshes"]) || has(&["nodes"])) {
         Some("a glTF model")

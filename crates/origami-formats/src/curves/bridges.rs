@@ -9,15 +9,18 @@ use super::key;
 use super::runs::Run;
 
 /// How many points of a curve are tried.
-const TRIED: usize = 16;
+const TRIED: usize = 8;
+/// How many curves of a group are tried.
+const CURVES: usize = 4;
 
 /// For each group of runs that touches no other, a line at a right angle to one of its curves to the nearest of another
 /// group, if one lies there. Ends on curves are kept.
 pub(super) fn find(runs: &mut [Run]) -> Vec<[DVec2; 2]> {
     let mut group = groups(runs);
     let mut bridges = Vec::new();
+    let mut failed = vec![0; runs.len()];
     for run in 0..runs.len() {
-        if !runs[run].curved || group.iter().all(|other| *other == group[run]) {
+        if !runs[run].curved || failed[group[run]] == CURVES || group.iter().all(|other| *other == group[run]) {
             continue;
         }
         let nodes = runs[run].nodes.len();
@@ -31,6 +34,8 @@ pub(super) fn find(runs: &mut [Run]) -> Vec<[DVec2; 2]> {
             bridges.push([runs[run].nodes[node].at, landed(&mut runs[other], to)]);
             let (old, new) = (group[other], group[run]);
             group.iter_mut().filter(|group| **group == old).for_each(|group| *group = new);
+        } else {
+            failed[group[run]] += 1;
         }
     }
     bridges

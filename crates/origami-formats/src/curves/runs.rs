@@ -7,9 +7,9 @@ use origami_core::error::{Error, ErrorCode, Place};
 use super::Stroke;
 
 /// Curves are first cut this much finer than the tolerance, in each direction across them.
-const FINER: f64 = 256.0;
+const FINER: f64 = 144.0;
 /// A curve has at least so many fine pieces, and at most.
-const PIECES: [usize; 2] = [12, 4096];
+const PIECES: [usize; 2] = [12, 2048];
 /// More fine pieces than this are refused.
 const MOST: usize = 1 << 22;
 

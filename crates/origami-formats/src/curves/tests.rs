@@ -112,7 +112,7 @@ fn rulings_lower_the_energy() {
     let with = read(&body, Some(0.02));
     let without = without_rulings(&with);
     let [with, without] =
-        [with, without].map(|document| fold(&CreasePattern::from_document(&document, 0).unwrap(), 20.0));
+        [with, without].map(|document| fold(&CreasePattern::from_document(&document, 0).unwrap(), 40.0));
     assert!(with.0 < 0.97 * without.0, "energy {} and {}", with.0, without.0);
 }
 

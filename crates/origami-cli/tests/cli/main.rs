@@ -3,6 +3,7 @@
 
 mod batch;
 mod dangers;
+mod faults;
 mod fold;
 mod gpu;
 mod help;

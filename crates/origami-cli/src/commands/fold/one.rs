@@ -122,7 +122,12 @@ fn attempt(
         }
     };
 
-    let at_the_end = states.last().map(|folded| measure::folded_warnings(&pattern, &model, folded)).unwrap_or_default();
+    let limited = states.iter().find(|folded| matches!(folded.stop, Stop::StepLimit | Stop::Crushed));
+    let mut at_the_end =
+        states.last().map(|folded| measure::folded_warnings(&pattern, &model, folded)).unwrap_or_default();
+    if !at_the_end.iter().any(|warning| warning.code == WarningCode::CrushedTriangle) {
+        at_the_end.extend(limited.and_then(|folded| measure::crushed(&model, &folded.state.positions)));
+    }
     run.scene.warnings.extend(at_the_end.iter().map(Note::from));
     told.warnings.extend(at_the_end);
     let frames: Vec<Measured> = states.iter().map(|folded| Measured::new(&model, folded)).collect();
@@ -158,7 +163,6 @@ fn attempt(
     }
 
     told.summary = Some(summary::line(&run));
-    let limited = states.iter().find(|folded| matches!(folded.stop, Stop::StepLimit | Stop::Crushed));
     if let Some(folded) = limited {
         let crushed = !crushed_triangles(&model, &folded.state.positions).is_empty();
         told.errors.push(summary::not_converged(input, folded, crushed, settings.solver_name, settings.tolerance));

@@ -67,10 +67,11 @@ impl MarkKind {
     fn legend(self, count: usize) -> String {
         let s = if count == 1 { "" } else { "s" };
         match self {
-            Self::Rule => format!("{count} fault{s} against the rules of flat folding"),
+            Self::Rule if count == 1 => "1 vertex that breaks a rule of flat folding".to_owned(),
+            Self::Rule => format!("{count} vertices that break a rule of flat folding"),
             Self::Gap => "the reflected sheet misses itself most here".to_owned(),
             Self::OpenEnd => format!("{count} line{s} with an open end"),
-            Self::Refusal => "no sheet can be made of this".to_owned(),
+            Self::Refusal => "what the reason below names".to_owned(),
         }
     }
 }
@@ -80,12 +81,16 @@ impl MarkKind {
 pub struct Marks {
     /// Each with its kind.
     pub at: Vec<(MarkKind, DVec3)>,
+    /// Words below the legend; as many lines as they need.
+    pub why: String,
 }
 
 /// A sheet that misses itself by more than this, in radii, has its worst place marked.
 const GAP: f64 = 1e-3;
 /// Width of a ring, in text sizes.
 const STROKE: f32 = 0.16;
+/// Where the words begin, in text sizes from the left.
+const INDENT: f32 = 1.35;
 /// From one line of the legend to the next, in text sizes.
 const LINE: f32 = 1.5;
 
@@ -97,18 +102,38 @@ impl Marks {
         let place = |vertex: origami_core::ids::VertexId| pattern.vertices[vertex.index()];
         let mut at: Vec<(MarkKind, DVec3)> = Vec::new();
         if flat.applies() {
-            at.extend(flat.faults.iter().map(|fault| (MarkKind::Rule, place(fault.vertex))));
+            // They come by vertex, which may break several rules.
+            let mut vertices: Vec<_> = flat.faults.iter().map(|fault| fault.vertex).collect();
+            vertices.dedup();
+            at.extend(vertices.into_iter().map(|vertex| (MarkKind::Rule, place(vertex))));
             let gap = flat.closure.filter(|closure| closure.spread > GAP).and_then(|closure| closure.vertex);
             at.extend(gap.map(|vertex| (MarkKind::Gap, place(vertex))));
         }
         at.extend(flat.open_ends.iter().map(|end| (MarkKind::OpenEnd, place(end.vertex))));
-        Self { at }
+        Self { at, why: String::new() }
     }
 
-    /// Whether nothing is marked.
+    /// Whether nothing is marked and nothing said.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.at.is_empty()
+        self.at.is_empty() && self.why.is_empty()
+    }
+
+    /// The words below the legend, in lines that are no wider than `width` in text sizes.
+    fn words(&self, width: f32) -> Vec<String> {
+        let mut lines: Vec<String> = Vec::new();
+        // Control characters have no place in SVG.
+        let ends_a_word = |c: char| c.is_whitespace() || c.is_control();
+        for word in self.why.split(ends_a_word).filter(|word| !word.is_empty()) {
+            match lines.last_mut() {
+                Some(line) if text::width(&format!("{line} {word}"), 1.0) <= width => {
+                    line.push(' ');
+                    line.push_str(word);
+                }
+                _ => lines.push(word.to_owned()),
+            }
+        }
+        lines
     }
 
     /// The kinds that there are, each with the line of the legend.
@@ -125,7 +150,8 @@ impl Marks {
     pub fn view(&self, picture: &Picture, figure: &Figure) -> Result<View, Error> {
         let size = text_size(picture.width, picture.height);
         let mut margins = [0.05 * f64::from(picture.width.min(picture.height)); 4];
-        margins[1] += f64::from(LINE * size) * self.legend().len() as f64;
+        let words = self.words(picture.width as f32 / size - 2.0 * INDENT);
+        margins[1] += f64::from(LINE * size) * (self.legend().len() + words.len()) as f64;
         if !picture.caption.is_empty() {
             margins[3] += 1.5 * f64::from(size);
         }
@@ -147,10 +173,14 @@ impl Marks {
             let y = 0.5 * height * (1.0 - (row(1) / w) as f32);
             ring(image, [x, y], kind.radius() * size, STROKE * size, kind.colour());
         }
-        for (line, (kind, legend)) in self.legend().into_iter().enumerate() {
-            let y = size * (1.6 + LINE * line as f32);
-            ring(image, [1.8 * size, y - 0.35 * size], 0.45 * size, STROKE * size, kind.colour());
-            text::draw(image, &legend, [2.8 * size, y], size, picture.theme.text);
+        let legend = self.legend();
+        let y = |line: usize| size * (1.6 + LINE * line as f32);
+        for (line, (kind, legend)) in legend.iter().enumerate() {
+            ring(image, [1.8 * size, y(line) - 0.35 * size], 0.45 * size, STROKE * size, kind.colour());
+            text::draw(image, legend, [2.8 * size, y(line)], size, picture.theme.text);
+        }
+        for (line, words) in self.words(width / size - 2.0 * INDENT).iter().enumerate() {
+            text::draw(image, words, [INDENT * size, y(legend.len() + line)], size, picture.theme.text);
         }
     }
 
@@ -176,11 +206,22 @@ impl Marks {
         svg
     }
 
-    /// The legend as SVG, from a corner downwards.
-    pub(crate) fn svg_legend(&self, [left, top]: [f64; 2], size: f64, colour: Rgb) -> String {
+    /// The legend as SVG, from a corner downwards; the picture is so wide.
+    pub(crate) fn svg_legend(&self, [left, top]: [f64; 2], size: f64, width: f64, colour: Rgb) -> String {
         let mut svg = String::new();
-        for (line, (kind, legend)) in self.legend().into_iter().enumerate() {
-            let y = top + size * (1.6 + f64::from(LINE) * line as f64);
+        let legend = self.legend();
+        let y = |line: usize| top + size * (1.6 + f64::from(LINE) * line as f64);
+        for (line, words) in self.words((width / size) as f32 - 2.0 * INDENT).iter().enumerate() {
+            let escaped = words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+            let _ = writeln!(
+                svg,
+                "<text x=\"{:.2}\" y=\"{:.2}\" font-family=\"sans-serif\" font-size=\"{size:.2}\" fill=\"{colour}\">{escaped}</text>",
+                left + f64::from(INDENT) * size,
+                y(legend.len() + line),
+            );
+        }
+        for (line, (kind, legend)) in legend.into_iter().enumerate() {
+            let y = y(line);
             let _ = writeln!(
                 svg,
                 "<circle cx=\"{:.2}\" cy=\"{:.2}\" r=\"{:.2}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\"/>\
@@ -196,9 +237,9 @@ impl Marks {
         svg
     }
 
-    /// How high the legend is, in text sizes.
-    pub(crate) fn legend_height(&self) -> f64 {
-        f64::from(LINE) * self.legend().len() as f64
+    /// How high the legend is, in text sizes, where the picture is so many of them wide.
+    pub(crate) fn legend_height(&self, width: f64) -> f64 {
+        f64::from(LINE) * (self.legend().len() + self.words(width as f32 - 2.0 * INDENT).len()) as f64
     }
 }
 
@@ -231,5 +272,14 @@ mod tests {
         assert_eq!(image.pixel(30, 30), [255; 4]);
         ring(&mut image, [f32::NAN, 3.0], 15.0, 3.0, Rgb::BLACK);
         ring(&mut image, [1e30, -1e30], 15.0, 3.0, Rgb::BLACK);
+    }
+
+    #[test]
+    fn words_are_broken_into_lines_that_fit_and_none_is_lost() {
+        let why = "edges_vertices[3]: a very long reason indeed, which no picture has room for in one line";
+        let marks = Marks { at: Vec::new(), why: why.to_owned() };
+        let lines = marks.words(12.0);
+        assert!(lines.len() > 2 && lines.iter().all(|line| text::width(line, 1.0) <= 12.0), "{lines:?}");
+        assert_eq!(lines.join(" "), why);
     }
 }

@@ -106,7 +106,7 @@ pub fn svg_with(pattern: &CreasePattern, theme: &Theme, edges: LineSet, width: f
     let line_scale = f64::from(Theme::line_scale(w as u32, h as u32));
 
     let text_size = 0.025 * width;
-    let legend = marks.legend_height() * text_size;
+    let legend = marks.legend_height(w / text_size) * text_size;
     let (top, h) = (-0.5 * h - legend, h + legend);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w:.2}\" height=\"{h:.2}\" viewBox=\"{:.2} {top:.2} {w:.2} {h:.2}\">\n",
@@ -161,7 +161,7 @@ pub fn svg_with(pattern: &CreasePattern, theme: &Theme, edges: LineSet, width: f
         put(format_args!("\"/>\n"));
     }
     svg += &marks.svg(place, text_size);
-    svg += &marks.svg_legend([-0.5 * w, top], text_size, theme.text);
+    svg += &marks.svg_legend([-0.5 * w, top], text_size, w, theme.text);
     svg += "</svg>\n";
     svg
 }
@@ -189,6 +189,29 @@ mod tests {
         }
         assert!(count(LineKind::Mountain) > 10 && count(LineKind::Valley) > 10);
         assert!(text.ends_with("</svg>\n") && !text.contains("NaN"));
+    }
+
+    #[test]
+    fn what_is_wrong_is_ringed_in_a_group_of_its_kind() {
+        let text = r#"{"vertices_coords": [[0,0],[4,0],[4,4],[0,4],[1,2],[2,1]],
+            "edges_vertices": [[0,1],[1,2],[2,3],[3,0],[5,0],[5,1],[5,2],[3,4]],
+            "edges_assignment": ["B","B","B","B","V","V","V","M"]}"#;
+        let document = Document::from_reader(text.as_bytes()).unwrap();
+        let pattern = CreasePattern::from_frame(&document.frame(0).unwrap()).unwrap();
+        let marks = Marks { why: "a < b & c".to_owned(), ..Marks::of(&pattern) };
+        let svg = svg_with(&pattern, &Theme::paper(), LineSet::ALL, 400.0, &marks);
+        let rings = |id: &str| {
+            let group = svg.lines().find(|line| line.contains(&format!("<g id=\"{id}\"")));
+            group.unwrap_or_default().matches("<circle").count()
+        };
+        assert_eq!((rings("rule"), rings("open-end"), rings("refusal")), (1, 1, 0), "{svg}");
+        assert!(svg.contains("1 vertex that breaks a rule") && svg.contains("a &lt; b &amp; c"), "{svg}");
+        // (1, 2) in a square of 4, drawn over 0.92 of 400 pixels around its middle.
+        assert!(
+            svg.contains("<circle cx=\"-92.00\" cy=\"-0.00\"") || svg.contains("<circle cx=\"-92.00\" cy=\"0.00\"")
+        );
+        let plain = super::svg(&pattern, &Theme::paper(), LineSet::ALL, 400.0);
+        assert!(!plain.contains("<circle") && !plain.contains("<text"));
     }
 
     #[test]

@@ -21,7 +21,7 @@ Exit codes: 0 done, 1 bad input or usage.";
 ///
 /// Nothing is folded: vertices are where the file has them. On a crease pattern vertices that break a rule of flat folding
 /// and creases that end inside a face are ringed, with a legend; lines of which no sheet can be made are drawn as they are,
-/// with the reason below. Pictures are the same on every machine, need no display and
+/// with the reason above. Pictures are the same on every machine, need no display and
 /// no GPU, and are written whole or not at all.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, override_usage = "origami render [OPTIONS] <INPUT> -o <OUT>")]

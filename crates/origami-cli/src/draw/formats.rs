@@ -59,15 +59,15 @@ pub(crate) fn faulty_pattern(
     let marks = match faults {
         Faults::None => Marks::default(),
         Faults::Found => Marks::of(pattern),
-        Faults::Refused { open_ends, blamed, .. } => {
+        Faults::Refused { why, open_ends, blamed } => {
             let ends = open_ends.iter().map(|at| (MarkKind::OpenEnd, *at));
-            Marks { at: ends.chain(blamed.iter().map(|at| (MarkKind::Refusal, *at))).collect() }
+            let at = ends.chain(blamed.iter().map(|at| (MarkKind::Refusal, *at))).collect();
+            Marks { at, why: (*why).to_owned() }
         }
     };
-    let caption = if let Faults::Refused { why, .. } = faults { why } else { "" };
     match format {
         Format::Svg => svg(artist, pattern, &marks, writer),
-        _ if marks.is_empty() && caption.is_empty() => pattern_png(artist, pattern, writer),
-        _ => marked_png(artist, pattern, (&marks, caption), writer),
+        _ if marks.is_empty() => pattern_png(artist, pattern, writer),
+        _ => marked_png(artist, pattern, &marks, writer),
     }
 }

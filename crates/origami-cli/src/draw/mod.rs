@@ -56,7 +56,7 @@ pub(crate) enum Faults<'a> {
     Found,
     /// No sheet can be made of these lines.
     Refused {
-        /// Why not, in one line.
+        /// Why not.
         why: &'a str,
         /// Where a line ends that nothing else touches.
         open_ends: &'a [DVec3],

@@ -39,18 +39,15 @@ pub(super) fn pattern_png(artist: &Artist, pattern: &CreasePattern, writer: &mut
     draw_pattern(artist, pattern, &artist.style.pattern(SIZE))?.write_png(writer)
 }
 
-/// The same with marks where something is wrong; `caption` is the line below where none was asked for.
+/// The same with marks where something is wrong.
 pub(super) fn marked_png(
     artist: &Artist,
     pattern: &CreasePattern,
-    (marks, caption): (&Marks, &str),
+    marks: &Marks,
     writer: &mut dyn Write,
 ) -> Result<(), Error> {
     refuse_bent(pattern)?;
-    let mut picture = artist.style.pattern(SIZE);
-    if picture.caption.is_empty() {
-        picture.caption = caption.to_owned();
-    }
+    let picture = artist.style.pattern(SIZE);
     let figure = Figure::of_pattern(pattern)?;
     let view = marks.view(&picture, &figure)?;
     let mut image = artist.draw(&picture, &figure, &view)?;

@@ -5,6 +5,7 @@ mod attitude;
 mod batch;
 mod convert;
 mod dangers;
+mod faults;
 mod fold;
 mod formats;
 mod gpu;

@@ -80,7 +80,7 @@ pub struct FlatFoldability {
     pub partial: usize,
     /// Creases of which no angle is asked.
     pub free: usize,
-    /// Inner vertices that were checked: all their creases fold by half a turn or stay flat, and one folds at least.
+    /// Inner vertices that were checked: all their creases fold by half a turn or stay flat, and two fold at least.
     pub checked: usize,
     /// Inner vertices with a crease that is asked for another angle or for none, of which nothing is said.
     pub unchecked: usize,
@@ -112,7 +112,8 @@ impl FlatFoldability {
         }
         for ring in rings::rings(pattern) {
             match rules::Vertex::of(pattern, &ring) {
-                Some(vertex) if vertex.is_crease_free() => {}
+                // The end of a lone crease is an open end.
+                Some(vertex) if vertex.creases() < 2 => {}
                 Some(vertex) => {
                     found.checked += 1;
                     let off = vertex.kawasaki();

@@ -1,6 +1,8 @@
 //! Creases that end inside a face, which cannot fold: the paper around their end is in one piece.
 
+use super::Role;
 use super::corners::{Edges, corners, place};
+use super::rings::{Ring, rings};
 use crate::ids::{EdgeId, FaceId, VertexId};
 use crate::pattern::CreasePattern;
 use glam::DVec2;
@@ -19,40 +21,57 @@ pub struct OpenEnd {
     pub nearest: Option<(EdgeId, f64)>,
 }
 
-/// The ends of all creases that are asked for an angle other than 0 and end inside a face, by vertex.
+/// The ends of all creases that are asked for an angle other than 0 and end inside a face, by vertex: where nothing else
+/// leaves their end, or nothing but lines that stay flat.
 #[must_use]
 pub fn open_ends(pattern: &CreasePattern) -> Vec<OpenEnd> {
     let (corners, edges) = (corners(pattern), Edges::of(pattern));
-    let mut ends = Vec::new();
+    let mut ends: Vec<(VertexId, EdgeId)> = Vec::new();
     for (vertex, corners) in corners.iter().enumerate() {
         let vertex = VertexId::new(vertex);
         // A face that runs out to the vertex and back is all that there is around it.
-        let [tip] = corners else { continue };
-        if tip.next != tip.previous {
-            continue;
-        }
-        let Some(crease) = edges.between(vertex, tip.next) else { continue };
-        if pattern.edges[crease.index()].fold_angle.is_none_or(|angle| angle == 0.0) {
-            continue;
-        }
-        let face = FaceId(tip.face);
-        ends.push(OpenEnd { vertex, crease, face, nearest: nearest(pattern, &edges, face, (vertex, crease)) });
+        let tip = if let [tip] = corners { Some(tip.next).filter(|next| *next == tip.previous) } else { None };
+        ends.extend(tip.and_then(|next| edges.between(vertex, next)).map(|crease| (vertex, crease)));
     }
-    ends
+    if pattern.is_flat() {
+        ends.extend(rings(pattern).iter().filter_map(|ring| Some((ring.vertex, lone_crease(pattern, ring)?))));
+    }
+    ends.retain(|(_, crease)| matches!(Role::of(&pattern.edges[crease.index()]), Role::Folded { .. } | Role::Partial));
+    ends.sort_unstable();
+    let end = |(vertex, crease): (VertexId, EdgeId)| {
+        let around = corners.row(vertex.index());
+        let other_end = pattern.edges[crease.index()].vertices.into_iter().find(|end| *end != vertex)?;
+        let face = around.iter().find(|corner| corner.next == other_end)?.face;
+        let faces = around.iter().map(|corner| corner.face);
+        Some(OpenEnd { vertex, crease, face: FaceId(face), nearest: nearest(pattern, &edges, faces, vertex) })
+    };
+    ends.into_iter().filter_map(end).collect()
 }
 
-/// The line around `face` that is nearest to the end of a crease.
+/// The one line at a vertex that does not stay flat, where there is just one.
+fn lone_crease(pattern: &CreasePattern, ring: &Ring) -> Option<EdgeId> {
+    let mut others = ring.spokes.iter().map(|(edge, _)| *edge).filter(|edge| !stays_flat(pattern, *edge));
+    others.next().filter(|_| others.next().is_none())
+}
+
+fn stays_flat(pattern: &CreasePattern, edge: EdgeId) -> bool {
+    Role::of(&pattern.edges[edge.index()]) == Role::Flat
+}
+
+/// The line around `faces` that is nearest to a vertex, of those that do not stay flat and do not end there.
 fn nearest(
     pattern: &CreasePattern,
     edges: &Edges,
-    face: FaceId,
-    (vertex, crease): (VertexId, EdgeId),
+    faces: impl Iterator<Item = u32>,
+    vertex: VertexId,
 ) -> Option<(EdgeId, f64)> {
-    let corners = &pattern.faces[face.index()];
-    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+    let sides = faces.flat_map(|face| {
+        let corners = &pattern.faces[face as usize];
+        corners.iter().zip(corners.iter().cycle().skip(1))
+    });
     let end = place(pattern, vertex);
     let distance = |(a, b): (&VertexId, &VertexId)| {
-        let edge = edges.between(*a, *b).filter(|edge| *edge != crease)?;
+        let edge = edges.between(*a, *b).filter(|edge| *a != vertex && *b != vertex && !stays_flat(pattern, *edge))?;
         Some((edge, to_segment(end, [place(pattern, *a), place(pattern, *b)])))
     };
     sides.filter_map(distance).min_by(|a, b| a.1.total_cmp(&b.1))
@@ -88,5 +107,16 @@ mod tests {
         assert_eq!(ends("[0,4]", r#""V""#), [(4, 4, Some((0, 1.0)))]);
         assert_eq!(ends("[0,4]", r#""F""#), [], "what stays flat does not matter");
         assert_eq!(ends("[0,4], [4,5]", r#""V","M""#), [(5, 5, Some((0, 0.5)))]);
+        let island = ends("[4,5]", r#""V""#);
+        assert_eq!(
+            island.iter().map(|end| (end.0, end.1)).collect::<Vec<_>>(),
+            [(4, 4), (5, 4)],
+            "both ends of an island"
+        );
+        assert_eq!(
+            ends("[0,4], [4,2], [4,1]", r#""V","F","F""#),
+            [(4, 4, Some((0, 1.0)))],
+            "what is beyond stays flat"
+        );
     }
 }

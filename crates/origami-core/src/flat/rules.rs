@@ -113,9 +113,9 @@ impl Vertex {
         Some(Self { id: ring.vertex, creases, valleys, sectors })
     }
 
-    /// Whether nothing folds here.
-    pub(super) fn is_crease_free(&self) -> bool {
-        self.creases.is_empty()
+    /// How many creases fold here.
+    pub(super) fn creases(&self) -> usize {
+        self.creases.len()
     }
 
     /// By how much Kawasaki's rule is missed, in radians; `None` for an odd number of creases.

@@ -6,7 +6,7 @@ use origami::error::WarningCode;
 use origami::export::Template;
 use origami::measure::attitude;
 use origami::model::Model;
-use origami::solve::{Failed, Progress, Stop, crushed_triangles, fold_path};
+use origami::solve::{Failed, Folded, Progress, Stop, crushed_triangles, fold_path};
 use origami::{CreasePattern, Error, Warning, measure};
 
 use super::summary::{self, Told};
@@ -150,7 +150,12 @@ fn attempt(
         }
     };
 
-    let at_the_end = states.last().map(|folded| measure::folded_warnings(&pattern, &model, folded)).unwrap_or_default();
+    let limited = unfinished(&states, stages.as_deref());
+    let mut at_the_end =
+        states.last().map(|folded| measure::folded_warnings(&pattern, &model, folded)).unwrap_or_default();
+    if !at_the_end.iter().any(|warning| warning.code == WarningCode::CrushedTriangle) {
+        at_the_end.extend(limited.and_then(|folded| measure::crushed(&model, &folded.state.positions)));
+    }
     run.scene.warnings.extend(at_the_end.iter().map(Note::from));
     told.warnings.extend(at_the_end);
     let frames: Vec<Measured> = states.iter().map(|folded| Measured::new(&model, folded)).collect();
@@ -195,14 +200,19 @@ fn attempt(
     }
 
     told.summary = Some(summary::line(&run));
-    let mut ended = states.iter().chain(stages.iter().flatten());
-    let limited = ended.find(|folded| matches!(folded.stop, Stop::StepLimit | Stop::Crushed));
+    let limited = unfinished(&states, stages.as_deref());
     if let Some(folded) = limited {
         let crushed = !crushed_triangles(&model, &folded.state.positions).is_empty();
         told.errors.push(summary::not_converged(input, folded, crushed, settings.solver_name, settings.tolerance));
     }
     let exit = if limited.is_some() { Exit::NotConverged } else { Exit::Done };
     Ok((exit, Some(Report::Folded(Box::new(run)))))
+}
+
+/// The first state that is not what was asked for.
+fn unfinished<'a>(states: &'a [Folded], stages: Option<&'a [Folded]>) -> Option<&'a Folded> {
+    let mut all = states.iter().chain(stages.into_iter().flatten());
+    all.find(|folded| matches!(folded.stop, Stop::StepLimit | Stop::Crushed))
 }
 
 /// Places of vertices that all states of an input may have together: some gigabytes.

@@ -11,6 +11,8 @@ use crate::numbers::{count, short};
 
 /// How many places of a kind a person is told.
 const NAMED: usize = 5;
+/// Degrees and radii below this are those of rounding, which are not the same on every machine.
+const ROUNDING: f64 = 1e-9;
 /// A sheet that misses itself by more than this, in radii, does not close.
 const CLOSED: f64 = 1e-3;
 
@@ -29,6 +31,9 @@ pub(super) struct FlatFacts {
     farthest_from_kawasaki: Option<Off>,
     open_ends: Vec<OpenEndFacts>,
     closure: Option<ClosureFacts>,
+    /// The longest side of the sheet.
+    #[serde(skip)]
+    size: f64,
 }
 
 /// A rule that a vertex breaks.
@@ -131,6 +136,7 @@ impl FlatFacts {
                 vertex: closure.vertex.map(|vertex| vertex.0),
                 at: closure.vertex.map(at),
             }),
+            size: pattern.size(),
         }
     }
 
@@ -140,13 +146,20 @@ impl FlatFacts {
             Some(why) => writeln!(text, "  flat        not asked for: {why}")?,
             None => {
                 let vertices = count(self.checked, "inner vertex", "inner vertices");
-                write!(text, "  flat        {vertices} checked, ")?;
-                match self.faulty_vertices() {
-                    0 => write!(text, "all obey the rules of flat folding")?,
-                    faulty => write!(text, "{} the rules of flat folding", count(faulty, "breaks", "break"))?,
+                write!(text, "  flat        ")?;
+                match (self.checked, self.faulty_vertices()) {
+                    (0, _) => write!(text, "no inner vertex to check")?,
+                    (_, 0) => write!(text, "{vertices} checked, all obey the rules of flat folding")?,
+                    (_, faulty) => {
+                        write!(
+                            text,
+                            "{vertices} checked, {} a rule of flat folding",
+                            count(faulty, "breaks", "break")
+                        )?;
+                    }
                 }
                 if let Some(Off { off_deg, vertex, .. }) =
-                    self.farthest_from_kawasaki.as_ref().filter(|_| self.faults.is_empty())
+                    self.farthest_from_kawasaki.as_ref().filter(|off| self.faults.is_empty() && off.off_deg > ROUNDING)
                 {
                     write!(text, " (at most {} degrees off, vertex {vertex})", short(*off_deg))?;
                 }
@@ -157,10 +170,17 @@ impl FlatFacts {
                 self.tell_closure(text)?;
             }
         }
+        let mut heading = "fault";
         for rule in ["parity", "kawasaki", "maekawa", "big-little-big"] {
-            self.tell_rule(text, rule)?;
+            self.tell_rule(text, rule, &mut heading)?;
         }
         self.tell_open_ends(text)
+    }
+
+    /// A place with six digits; what is nothing beside the sheet is 0.
+    fn place(&self, at: [f64; 2]) -> String {
+        let [x, y] = at.map(|x| six(if x.abs() < 1e-12 * self.size { 0.0 } else { x }));
+        format!("({x}, {y})")
     }
 
     fn faulty_vertices(&self) -> usize {
@@ -177,8 +197,11 @@ impl FlatFacts {
                 text,
                 "  closure     reflected face by face, the sheet misses itself by {} of its radius, most at vertex {vertex} {}",
                 short(*spread),
-                place(*at)
+                self.place(*at)
             ),
+            Some(ClosureFacts { spread, .. }) if *spread < ROUNDING => {
+                writeln!(text, "  closure     reflected face by face, the sheet closes")
+            }
             Some(ClosureFacts { spread, .. }) => {
                 writeln!(
                     text,
@@ -189,20 +212,15 @@ impl FlatFacts {
         }
     }
 
-    fn tell_rule(&self, text: &mut String, rule: &str) -> std::fmt::Result {
+    /// The worst places first; only the very first line has a heading.
+    fn tell_rule(&self, text: &mut String, rule: &str, heading: &mut &str) -> std::fmt::Result {
         let mut broken: Vec<&FaultFacts> = self.faults.iter().filter(|fault| fault.rule == rule).collect();
         broken.sort_by(|a, b| b.size.total_cmp(&a.size));
-        for (i, fault) in broken.iter().take(NAMED).enumerate() {
-            let heading = if i == 0 { rule } else { "" };
+        for fault in broken.iter().take(NAMED) {
             let creases: Vec<String> = fault.creases.iter().map(u32::to_string).collect();
-            writeln!(
-                text,
-                "  {heading:<14} vertex {} {}: {}, edges {}",
-                fault.vertex,
-                place(fault.at),
-                fault.what,
-                creases.join(" ")
-            )?;
+            let place = self.place(fault.at);
+            write!(text, "  {:<11} {rule}: vertex {} {place}: {}", std::mem::take(heading), fault.vertex, fault.what)?;
+            writeln!(text, ", edges {}", creases.join(" "))?;
         }
         more(text, broken.len())
     }
@@ -212,11 +230,11 @@ impl FlatFacts {
             let heading = if i == 0 { "open end" } else { "" };
             write!(
                 text,
-                "  {heading:<14} edge {} ends inside face {} at vertex {} {}",
+                "  {heading:<11} edge {} ends inside face {} at vertex {} {}",
                 end.crease,
                 end.face,
                 end.vertex,
-                place(end.at)
+                self.place(end.at)
             )?;
             if let Some(Nearest { edge, distance }) = end.nearest {
                 write!(text, ", {} from edge {edge}", short(distance))?;
@@ -256,13 +274,8 @@ impl std::fmt::Display for What {
 fn more(text: &mut String, all: usize) -> std::fmt::Result {
     match all.saturating_sub(NAMED) {
         0 => Ok(()),
-        more => writeln!(text, "  {:<14} and {more} more; --json has all", ""),
+        more => writeln!(text, "  {:<11} and {more} more; --json has all", ""),
     }
-}
-
-/// A place with six digits.
-fn place([x, y]: [f64; 2]) -> String {
-    format!("({}, {})", six(x), six(y))
 }
 
 fn six(x: f64) -> String {
@@ -281,8 +294,7 @@ mod tests {
 
     #[test]
     fn places_have_six_digits_and_no_zeros_after_them() {
-        assert_eq!(place([0.1 + 0.2, -120.0]), "(0.3, -120)");
-        assert_eq!(place([1.0 / 3.0, 123_456.7]), "(0.333333, 123457)");
-        assert_eq!(place([1e-7, 0.0]), "(1.00000e-7, 0)");
+        assert_eq!([0.1 + 0.2, -120.0, 1.0 / 3.0].map(six), ["0.3", "-120", "0.333333"]);
+        assert_eq!([123_456.7, 1e-7, 0.0].map(six), ["123457", "1.00000e-7", "0"]);
     }
 }

@@ -5,6 +5,8 @@ mod lying;
 
 use std::time::Duration;
 
+use origami::Error;
+
 use crate::args::{BackendName, RenderArgs, ViewName};
 use crate::backend::Backend;
 use crate::console;
@@ -40,7 +42,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
             else {
                 return Err(told(refusal).into());
             };
-            return draw_bare(args, &outputs, &Artist::new(style, None), (&bare, frame, &told(refusal)));
+            return draw_bare(args, &outputs, &Artist::new(style, None), (&input, &bare, frame, &refusal));
         }
     };
     if !args.quiet {
@@ -92,23 +94,25 @@ fn draw_bare(
     args: &RenderArgs,
     outputs: &[(Destination, Format)],
     artist: &Artist,
-    (bare, frame, why): (&Bare, usize, &str),
+    (input, bare, frame, refusal): (&Input, &Bare, usize, &Error),
 ) -> Result<Exit, Failure> {
     let mut watch = Stopwatch::start();
+    let told = input.describe(refusal);
     if let Some((destination, _)) = outputs.iter().find(|(_, format)| *format == Format::Glb) {
-        return Err(format!("{why}; {destination} needs a sheet, .png and .svg show its lines").into());
+        return Err(format!("{told}; {destination} needs a sheet, .png and .svg show its lines").into());
     }
     if !args.quiet {
-        console::warning(format!("{why}; no sheet can be made of it, its lines are drawn as they are"));
+        console::warning(format!("{told}; no sheet can be made of it, its lines are drawn as they are"));
     }
+    let why = format!("No sheet can be made of this: {refusal}");
     let faults = match args.no_marks {
         true => Faults::None,
-        false => Faults::Refused { why, open_ends: &bare.open_ends, blamed: &bare.blamed },
+        false => Faults::Refused { why: &why, open_ends: &bare.open_ends, blamed: &bare.blamed },
     };
     for (destination, format) in outputs {
         whole(destination, |writer| draw::faulty_pattern(*format, artist, &bare.lines, &faults, writer))?;
     }
-    report(args, outputs, &format!("{}: lines of frame {frame}", args.input.display()), &mut watch)
+    report(args, outputs, &format!("{input}: lines of frame {frame}"), &mut watch)
 }
 
 /// Says what was drawn.

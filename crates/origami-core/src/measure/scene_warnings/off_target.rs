@@ -1,6 +1,6 @@
 //! Creases far from their angles in a sheet that is at rest and not strained: nothing else tells that they have not folded.
 
-use crate::error::{CreasePlace, Place, Warning, WarningCode};
+use crate::error::{CreasePlace, Place, Short, Warning, WarningCode};
 use crate::flat::{OpenEnd, open_ends};
 use crate::ids::EdgeId;
 use crate::measure::Strain;
@@ -62,13 +62,19 @@ pub(super) fn off_target(pattern: &CreasePattern, model: &Model, folded: &Folded
 /// Where a crease ends, and what it misses.
 fn ends_inside(end: &OpenEnd) -> String {
     let nearest = match end.nearest {
-        Some((line, distance)) => format!(", {distance:.3e} from the nearest line (edge {})", line.0),
+        Some((line, distance)) => format!(", {} from the nearest line (edge {})", three_digits(distance), line.0),
         None => String::new(),
     };
     format!(
         "ends inside face {} at vertex {}{nearest}, so that the paper around its end cannot fold",
         end.face.0, end.vertex.0
     )
+}
+
+fn three_digits(x: f64) -> Short {
+    let size = x.abs().log10().floor();
+    let unit = 10_f64.powi(if size.is_finite() { size as i32 - 2 } else { 0 });
+    Short((x / unit).round() * unit)
 }
 
 fn others(off: &[Off<'_>]) -> String {
@@ -79,6 +85,10 @@ fn others(off: &[Off<'_>]) -> String {
 }
 
 fn places(model: &Model, off: &[Off<'_>]) -> Place {
-    let ends = |crease: &Crease| [crease.nodes[2], crease.nodes[3]].map(|n| model.mesh.vertex_of_node[n.index()]);
+    let ends = |crease: &Crease| {
+        let mut ends = [crease.nodes[2], crease.nodes[3]].map(|n| model.mesh.vertex_of_node[n.index()]);
+        ends.sort_unstable();
+        ends
+    };
     Place::Creases(off.iter().map(|off| CreasePlace::new(ends(off.crease), Some(off.edge))).collect())
 }

@@ -26,7 +26,7 @@ pub const KEY: f32 = 0.56;
 /// What more comes from above.
 pub const SKY: f32 = 0.1;
 /// How much of its light paper loses that nothing from around reaches.
-pub const SHADE: f32 = 0.7;
+pub const SHADE: f32 = 0.6;
 
 #[cfg(test)]
 mod tests {

@@ -60,9 +60,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = std::env::args().nth(1).unwrap_or_else(|| "large.png".to_owned());
     let gpu = timed("opening the adapter", || Gpu::open(&AdapterChoice::from_env()))?;
     let renderer = timed("making the pipelines", || GpuRenderer::new(&gpu))?;
-    let figure = waves(224);
+    let mut figure = waves(224);
     let shown = figure.lines.iter().filter(|line| LineSet::default().has(line.kind)).count();
     println!("{}: {} triangles, {shown} lines", gpu.adapter(), figure.triangles.len());
+    timed("soft shading", || figure.shade());
     for samples in [4, 16] {
         let picture = Picture { samples, ..Picture::default() };
         for run in ["first", "second", "third"] {

@@ -79,7 +79,11 @@ impl<'a> Reel<'a> {
         let points = if film.turntable.is_some() { swept(positions) } else { positions.collect() };
         let clip = artist.style.clip(subject);
         let figure = artist.style.figure(subject, first, clip);
-        let picture = camera(artist, subject, film);
+        // One camera for the whole film: from the face of a sheet that lies in one plane all the time.
+        let mut picture = artist.style.picture(contact::SIZE);
+        if film.turntable.is_none() {
+            picture = artist.style.facing(&picture, || Camera::facing(points.iter().copied()));
+        }
         let count = subject.states.len().max(film.turntable.unwrap_or(0) as usize);
         Some(Self { artist, subject, picture, turntable: film.turntable, count, clip, points, figure })
     }
@@ -100,20 +104,4 @@ impl<'a> Reel<'a> {
         let picture = Picture { camera: Camera { azimuth, ..camera }, ..self.picture.clone() };
         picture.view(&self.figure, self.points.iter().copied())
     }
-}
-
-/// The picture with its camera: one for the whole film. A sheet that lies flat in every picture, and in one plane, is seen
-/// from its face.
-fn camera(artist: &Artist, subject: Subject<'_>, film: Film) -> Picture {
-    let picture = artist.style.picture(contact::SIZE);
-    if film.turntable.is_some() {
-        return picture;
-    }
-    let corners = |state: &origami::State| -> Vec<[f32; 3]> {
-        let nodes = subject.model.mesh.triangles.iter().flatten();
-        nodes.filter_map(|n| state.positions.get(n.index())).map(|p| p.to_array().map(|x| x as f32)).collect()
-    };
-    let positions: Vec<[f32; 3]> = subject.states.iter().flat_map(|(_, state)| corners(state)).collect();
-    let triangles = (0..).step_by(3).map(|n| [n, n + 1, n + 2]).take(positions.len() / 3).collect();
-    artist.style.facing(&picture, &Figure { positions, triangles, ..Figure::default() })
 }

@@ -79,10 +79,10 @@ impl Style {
         self.mapped(figure, subject, state, clip);
     }
 
-    /// The picture with the camera that suits the figure, if none was asked for.
-    pub(super) fn facing(&self, picture: &Picture, figure: &Figure) -> Picture {
+    /// The picture with the camera that suits the sheet, if none was asked for.
+    pub(super) fn facing(&self, picture: &Picture, suits: impl FnOnce() -> Camera) -> Picture {
         let Camera { zoom, projection, .. } = picture.camera;
-        let camera = if self.auto { Camera { zoom, projection, ..figure.camera() } } else { picture.camera };
+        let camera = if self.auto { Camera { zoom, projection, ..suits() } } else { picture.camera };
         Picture { camera, ..picture.clone() }
     }
 
@@ -91,14 +91,14 @@ impl Style {
     /// # Errors
     /// As for [`Picture::view`].
     pub(super) fn view(&self, picture: &Picture, figure: &Figure) -> Result<View, Error> {
-        self.facing(picture, figure).view(figure, figure.positions.iter().copied())
+        self.facing(picture, || figure.camera()).view(figure, figure.positions.iter().copied())
     }
 
     /// How wide a colour bar beside several pictures of this size is, in pixels; `None` without one.
     pub(super) fn bar_width(&self, size: [u32; 2]) -> Option<u32> {
         let Picture { width, height, legend, .. } = self.picture(size);
         let label = self.mapping?.quantity.label();
-        (legend && legend::fits(label, 2 * width, height)).then(|| legend::bar_width(label, width, height))
+        (legend && legend::fits(label, width, height)).then(|| legend::bar_width(label, width, height))
     }
 
     /// A picture of the sheet; `size` holds where none was asked for.
@@ -148,9 +148,8 @@ pub(crate) fn oddities(args: &PictureArgs) -> Vec<String> {
     }
     if let (Some(quantity), Some([width, height]), false) = (args.quantity(), args.size, args.no_legend) {
         if !legend::fits(Quantity::from(quantity).label(), width, height) {
-            oddities.push(format!(
-                "--size {width}x{height}: too narrow for a colour bar beside the sheet, which is left out"
-            ));
+            oddities
+                .push(format!("--size {width}x{height}: no room for a colour bar beside the sheet, it is left out"));
         }
     }
     oddities

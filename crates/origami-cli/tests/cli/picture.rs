@@ -100,7 +100,7 @@ mod present {
         let place = Place::new();
         let draw = |options: &str| {
             place
-                .run(&format!("fold square.fold --percent 50 -o a.png --size 200x160 --samples 4 {options}"))
+                .run(&format!("fold square.fold --percent 50 -o a.png --size 300x240 --samples 4 {options}"))
                 .succeeds();
             bytes(&place, "a.png")
         };
@@ -115,6 +115,8 @@ mod present {
             "--roll 30",
             "--zoom 0.5",
             "--perspective 60",
+            "--shading flat",
+            "--shading none",
             "--theme white",
             "--theme mono",
             "--theme dark",
@@ -138,7 +140,46 @@ mod present {
             seen.push(drawn);
         }
         assert_eq!(draw("--camera default --theme paper --edges all --line-width 1 --zoom 1"), plain);
+        assert_eq!(draw("--camera auto --shading soft"), plain);
         assert_eq!(draw("--strain"), draw("--map strain"));
+    }
+
+    #[test]
+    fn a_flat_sheet_is_seen_from_its_face() {
+        let place = Place::new();
+        let draw = |options: &str| {
+            place.run(&format!("fold flat.fold -o a.png --size 100x80 --samples 4 --quiet {options}")).succeeds();
+            bytes(&place, "a.png")
+        };
+        place.put("flat.fold", &place.text("square.fold").replace("90]", "180]"));
+        // The pattern lies level: its face is its top.
+        assert_eq!(draw("--percent 0"), draw("--percent 0 --camera top"));
+        assert_ne!(draw("--percent 0"), draw("--percent 0 --camera default"));
+        // Folded flat, and half folded.
+        assert_ne!(draw(""), draw("--camera default"));
+        assert_eq!(draw("--percent 50"), draw("--percent 50 --camera default"));
+        assert_eq!(draw("--azimuth -60"), draw("--camera default"), "an angle is one of the default camera");
+    }
+
+    #[test]
+    fn what_a_picture_cannot_show_is_said() {
+        let place = Place::new();
+        let said = |options: &str| {
+            let ran = place.run(&format!("fold square.fold -o a.png --samples 1 {options}"));
+            assert_eq!(ran.code, 0, "{}", ran.stderr);
+            ran.stderr
+        };
+        let text = said("--size 300x240 --caption 漢字漢a");
+        assert!(
+            text.contains("warning: --caption: the font has no 漢 (U+6F22), 字 (U+5B57); drawn as boxes"),
+            "{text}"
+        );
+        let text = said("--size 120x100 --map energy");
+        assert!(text.contains("warning: --size 120x100: no room for a colour bar"), "{text}");
+        let bare = bytes(&place, "a.png");
+        assert!(!said("--size 120x100 --map energy --no-legend").contains("colour bar"));
+        assert_eq!(bytes(&place, "a.png"), bare);
+        assert!(!said("--size 300x240 --map energy --caption Kranich").contains("warning: --"));
     }
 
     #[test]
@@ -177,8 +218,14 @@ mod present {
             assert!(inside.filter(|i| sheet.pixels[*i] != [255; 4]).count() > 100, "part {column}, {row}");
         }
         // Stages of one's own choice; the FOLD file has what it would have without.
-        place.run("fold square.fold --sheet a.png --size 200x150 --samples 1 --frames 2 --strain").succeeds();
-        assert_eq!((picture(&place, "a.png").width, picture(&place, "a.png").height), (400, 300));
+        place.run("fold square.fold --sheet a.png --size 300x240 --samples 1 --frames 2 --strain").succeeds();
+        // One bar stands beside all of them.
+        let mapped = picture(&place, "a.png");
+        assert!((660..720).contains(&mapped.width) && mapped.height == 480, "{} x {}", mapped.width, mapped.height);
+        place
+            .run("fold square.fold --sheet a.png --size 300x240 --samples 1 --frames 2 --strain --no-legend")
+            .succeeds();
+        assert_eq!((picture(&place, "a.png").width, picture(&place, "a.png").height), (600, 480));
         place.run("fold square.fold --sheet a.png --size 60x50 --samples 1 -o a.fold").succeeds();
         assert_eq!(place.json("a.fold")["frame_classes"], json!(["foldedForm"]));
     }
@@ -280,7 +327,7 @@ mod present {
         if place.run("adapters --json").stdout.trim() == "[]" {
             return;
         }
-        let look = "--view sheet --size 160x120 --quiet";
+        let look = "--view sheet --camera default --size 160x120 --quiet";
         place.run(&format!("render square.fold -o a.png --backend gpu {look}")).succeeds();
         place.run(&format!("render square.fold -o b.png {look}")).succeeds();
         let (one, other) = (picture(&place, "a.png"), picture(&place, "b.png"));

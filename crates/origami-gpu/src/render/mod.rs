@@ -98,8 +98,8 @@ impl GpuRenderer {
     /// Draws a sheet where a simulation's session has left it, from the simulation's own memory: positions do not pass
     /// through the processor.
     ///
-    /// Everything but positions is the figure's: its triangles and lines, its map and its layers. Layers belong to the
-    /// positions that the figure has; take them away where the sheet has moved since. Without a `view` the sheet fills the
+    /// Everything but positions is the figure's: its triangles and lines, its map, its layers and its openness. The last two
+    /// belong to the positions that the figure has; take them away where the sheet has moved since. Without a `view` the sheet fills the
     /// picture, for which its outermost nodes are read: with an orthographic camera exactly, with a perspective one it may
     /// reach into the margins.
     ///

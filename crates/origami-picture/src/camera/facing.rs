@@ -12,20 +12,24 @@ impl Camera {
     /// the default camera for any other. A sheet that lies level is seen as crease patterns are drawn, [from the
     /// top](Camera::top).
     ///
-    /// `points` in triangles: corners of each, three by three.
+    /// `points` are any of the sheet, in any order. Each three that follow one another span a plane: that of the largest such
+    /// triangle is the sheet's, if it has one.
     #[must_use]
-    pub fn facing(points: impl Iterator<Item = [f32; 3]>) -> Self {
-        let points: Vec<DVec3> = points.map(|p| DVec3::from_array(p.map(f64::from))).collect();
-        let across = |[a, b, c]: &[DVec3; 3]| (*b - *a).cross(*c - *a);
-        let (triangles, _) = points.as_chunks();
-        let largest = triangles.iter().map(across).fold(DVec3::ZERO, |most, normal| {
-            if normal.length_squared() > most.length_squared() { normal } else { most }
-        });
+    pub fn facing(points: impl Iterator<Item = [f32; 3]> + Clone) -> Self {
+        let points = points.map(|p| DVec3::from_array(p.map(f64::from)));
+        let mut largest = DVec3::ZERO;
+        let mut left = points.clone();
+        while let (Some(a), Some(b), Some(c)) = (left.next(), left.next(), left.next()) {
+            let normal = (b - a).cross(c - a);
+            if normal.length_squared() > largest.length_squared() {
+                largest = normal;
+            }
+        }
         let Some(normal) = largest.try_normalize() else { return Self::default() };
         let [_, _, towards] = Self::default().axes();
         let face = if normal.dot(towards) < 0.0 { -normal } else { normal };
         let size = |along: DVec3| {
-            let places = points.iter().map(|p| p.dot(along));
+            let places = points.clone().map(|p| p.dot(along));
             places.clone().fold(f64::NEG_INFINITY, f64::max) - places.fold(f64::INFINITY, f64::min)
         };
         let side = face.any_orthonormal_vector();

@@ -2,6 +2,8 @@
 
 use glam::Vec3;
 
+/// Steps along the sides of the sky's maps.
+pub(super) const SIZE: usize = 256;
 /// Places shall lie no farther apart than this, in radii of the sheet's box.
 const STEP: f32 = 0.035;
 /// Into how many parts a side is cut at most.
@@ -34,7 +36,7 @@ impl Sheet {
 
     /// The length that a step of the sky's maps covers.
     pub(super) fn texel(&self) -> f32 {
-        2.0 * self.radius / (super::sky::SIZE - 2) as f32
+        2.0 * self.radius / (SIZE - 2) as f32
     }
 }
 

@@ -5,10 +5,8 @@ use std::f32::consts::PI;
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::places::{Place, Sheet};
+use super::places::{Place, SIZE, Sheet};
 
-/// Steps of a map along its sides.
-pub(super) const SIZE: usize = 256;
 /// Directions for sheets of few triangles and of many.
 const DIRECTIONS: [usize; 2] = [256, 64];
 /// How many triangles are many.

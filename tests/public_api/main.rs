@@ -12,8 +12,9 @@ use std::path::Path;
 use crate_source::Source;
 
 /// Libraries and the files that show them.
-const SHOWN: [(&str, &str); 2] = [
+const SHOWN: [(&str, &str); 3] = [
     ("crates/origami-core/src/lib.rs", "docs/public-api/origami-core.txt"),
+    ("crates/origami-formats/src/lib.rs", "docs/public-api/origami-formats.txt"),
     ("src/lib.rs", "docs/public-api/origami.txt"),
 ];
 

@@ -89,7 +89,10 @@ mod tests {
     use super::*;
     use crate::fold::Document;
 
-    fn ends(creases: &str, letters: &str) -> Vec<(u32, u32, Option<(u32, f64)>)> {
+    /// Edge, vertex, and the nearest line with its distance.
+    type End = (u32, u32, Option<(u32, f64)>);
+
+    fn ends(creases: &str, letters: &str) -> Vec<End> {
         let text = format!(
             r#"{{"vertices_coords": [[0,0], [4,0], [4,2], [0,2], [1,1], [3,0.5]],
                 "edges_vertices": [[0,1], [1,2], [2,3], [3,0], {creases}],

@@ -64,7 +64,7 @@ pub(super) fn pattern(frame: &Frame, reading: &Reading) -> Result<CreasePattern,
 fn cleaned(frame: &Frame, reading: &Reading, sources: &Sources) -> Result<CreasePattern, Error> {
     let mut sheet = Sheet::read(frame, reading)?;
     let faces = frame.faces_vertices.as_deref().unwrap_or_default();
-    let sides = if faces.is_empty() { sheet.from_lines(frame) } else { with_faces(&mut sheet, frame, reading) }?;
+    let sides = if faces.is_empty() { sheet.find_faces(frame) } else { with_faces(&mut sheet, frame, reading) }?;
     let Sheet { mut draft, .. } = sheet;
     note_isolated(&mut draft);
     let keys = Keys { letters: frame.edges_assignment.is_some(), angles: frame.edges_fold_angle.is_some() };
@@ -108,7 +108,7 @@ impl Sheet {
     }
 
     /// Faces between the lines of a file that has none.
-    fn from_lines(&mut self, frame: &Frame) -> Result<Sides, Error> {
+    fn find_faces(&mut self, frame: &Frame) -> Result<Sides, Error> {
         let draft = &mut self.draft;
         if draft.edges.is_empty() {
             let problem = "is missing or empty, and so is faces_vertices";

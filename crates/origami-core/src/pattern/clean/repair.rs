@@ -64,10 +64,10 @@ fn has_outside(draft: &Draft, sides: &Sides) -> bool {
     for (edge, pair) in draft.edges.iter().zip(sides) {
         match pair {
             [Some(_), None] => contour = true,
-            [Some(one), Some(two)] if edge.letter == Some(Letter::Boundary) => {
-                if is_clockwise(one.face) != is_clockwise(two.face) {
-                    return true;
-                }
+            [Some(one), Some(two)]
+                if edge.letter == Some(Letter::Boundary) && is_clockwise(one.face) != is_clockwise(two.face) =>
+            {
+                return true;
             }
             _ => {}
         }

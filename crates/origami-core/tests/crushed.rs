@@ -41,7 +41,9 @@ fn list<T: ToString>(items: impl IntoIterator<Item = T>) -> String {
 /// can close.
 fn random_vertex(degree: usize, seed: u64) -> CreasePattern {
     let mut noise = Noise(7919 * seed + 104_729 * degree as u64 + 1);
-    (0..10).for_each(|_| drop(noise.next()));
+    for _ in 0..10 {
+        noise.next();
+    }
     let sectors = loop {
         let shares: Vec<f64> = (0..degree).map(|_| 0.2 + noise.next()).collect();
         let sum: f64 = shares.iter().sum();

@@ -132,7 +132,7 @@ const CASES: &[(&str, i32, &str)] = &[
     ("not-utf8", 1, "line 2 column 15: not UTF-8"),
     ("overflow", 1, "vertices_coords[2][0]: the number is too large"),
     ("pattern-in-a-later-frame", 0, ""),
-    ("self-crossing-face", 1, "faces_vertices[0]: the face crosses itself"),
+    ("self-crossing-face", 0, "faces_vertices[0]: contradicts the lines; the faces were found anew from the lines: 2"),
     ("slit", 0, "edges_assignment[6]: B with paper on both sides; the sheet is cut there"),
     ("sliver", 0, "faces_vertices[1]: thinner than 1e-6 of the sheet's radius; its springs are left out"),
     ("spec-1-0", 0, "edges_foldAngles: FOLD 1.0's name; read as edges_foldAngle"),

@@ -35,10 +35,7 @@ fn what_has_no_sensible_reading_is_refused() {
 #[test]
 fn no_length_and_no_area() {
     let coords = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]];
-    let pattern = build(&flat(&coords, &[[0, 1], [0, 3]], "", &[&[0, 1, 2]]));
-    assert_warned(&pattern, "edges_vertices[1]", "edge without length; left out");
-    let raised = [[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, 0.0], [0.0, 0.0, 0.0]];
-    let frame = spatial(&raised, &[[0, 1], [0, 3]], "", &[&[0, 1, 2]]);
+    let frame = flat(&coords, &[[0, 1], [0, 3]], "", &[&[0, 1, 2]]);
     assert!(refused(&frame).starts_with("edges_vertices[1]: vertices 0 and 3 lie at one place"), "{}", refused(&frame));
     let frame = flat(&coords, &[], "", &[&[0, 1, 2, 3]]);
     assert!(refused(&frame).starts_with("faces_vertices[0]: vertices 3 and 0 lie at one place"), "{}", refused(&frame));

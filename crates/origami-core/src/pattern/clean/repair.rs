@@ -25,8 +25,8 @@ pub(super) fn is_folded(frame: &Frame) -> bool {
 
 /// Whether faces that lead to this refusal may be found anew.
 pub(super) fn may_cure(error: &Error) -> bool {
-    use ErrorCode::{CornerTwice, EdgeOfManyFaces, EdgeWithoutLength, OneSided};
-    matches!(error.code(), CornerTwice | EdgeOfManyFaces | EdgeWithoutLength | OneSided)
+    use ErrorCode::{CornerTwice, EdgeOfManyFaces, OneSided};
+    matches!(error.code(), CornerTwice | EdgeOfManyFaces | OneSided)
 }
 
 /// What speaks against faces that could be taken as they are.

@@ -29,6 +29,11 @@ const HELD: f64 = 5e-5;
 const ALIKE: f64 = 3.0;
 /// The tolerance is at most so many times the farthest near miss.
 const FARTHER: f64 = 8.0;
+/// So many misses for each line, and so many more, are looked at.
+const MOST_EACH: usize = 48;
+const MOST: usize = 20_000;
+/// Where there are more, only those of so many times less.
+const LOOK_LESS: f64 = 8.0;
 /// All but one in so many lines are longer than near misses.
 const SHORT: usize = 50;
 /// Coarser digits than this, in sizes, are a grid on purpose.
@@ -82,10 +87,7 @@ impl Lines<'_> {
         let size = self.touch / TOUCH;
         let lengths: Vec<f64> = self.lines.iter().map(|line| self.length(*line)).collect();
         let look = (LOOK * shortest(&lengths)).min(LIKELY * LOOSE * size);
-        if look < LIKELY * self.touch {
-            return self.touch;
-        }
-        let mut misses = self.misses(look);
+        let Some((look, mut misses)) = self.misses_within(look) else { return self.touch };
         let holds = self.holds(&misses);
         let hold = |vertex: u32| holds[vertex as usize];
         misses.retain(|miss| miss.distance > self.touch);
@@ -136,18 +138,33 @@ impl Lines<'_> {
         a.distance(b)
     }
 
-    /// All pairs of a vertex and a line, or an end of it, that lie nearer to each other than `look`.
-    fn misses(&self, look: f64) -> Vec<Miss> {
-        let near = Near::new(self.points, self.lines, look);
-        let mut misses = Vec::new();
-        for line in 0..self.lines.len() {
-            near.apart(line, |other| {
-                // Both see each other: each looks for its own ends only.
-                self.ends_at(line, other, look, &mut misses);
-            });
-            near.beside(line, |other| self.ends_at(line, other, look, &mut misses));
+    /// All misses shorter than `look`, or than less where there are too many of those; `None` where that leaves nothing to
+    /// look for.
+    fn misses_within(&self, mut look: f64) -> Option<(f64, Vec<Miss>)> {
+        while look >= LIKELY * self.touch {
+            if let Some(misses) = self.misses(look) {
+                return Some((look, misses));
+            }
+            look /= LOOK_LESS;
         }
-        misses
+        None
+    }
+
+    /// All pairs of a vertex and a line, or an end of it, that lie nearer to each other than `look`; `None` where there
+    /// are too many for misses, as in a sheet of narrow pleats.
+    fn misses(&self, look: f64) -> Option<Vec<Miss>> {
+        let near = Near::new(self.points, self.lines, look);
+        let most = MOST_EACH * self.lines.len() + MOST;
+        let mut misses = Vec::new();
+        for line in near.order() {
+            // Both see each other: each looks for its own ends only.
+            near.apart(line, |other| self.ends_at(line, other, look, &mut misses));
+            near.beside(line, |other| self.ends_at(line, other, look, &mut misses));
+            if misses.len() > most {
+                return None;
+            }
+        }
+        Some(misses)
     }
 
     fn ends_at(&self, line: usize, other: usize, look: f64, misses: &mut Vec<Miss>) {

@@ -36,7 +36,7 @@ pub fn read(bytes: &[u8]) -> Result<Document, Error> {
     }
     if let Some(set) = document.descendants().find(|node| is_object(*node, "DataSet")) {
         for (name, key) in ABOUT {
-            lines.about(key, &value_of(set, name).and_then(|value| value.text()).unwrap_or_default());
+            lines.about(key, value_of(set, name).and_then(|value| value.text()).unwrap_or_default());
         }
     } else if lines.is_empty() {
         let place = Place::Line { line: xml::line_of(document.root_element()), column: None };

@@ -97,7 +97,9 @@ mod tests {
     const SQUARE: &str = "1 0 0 2 0\n1 2 0 2 2\n1 2 2 0 2\n1 0 2 0 0\n";
 
     /// Letters and coordinates of what is read, and the warnings.
-    fn read_text(text: impl AsRef<[u8]>) -> Result<(String, Vec<[f64; 4]>, Vec<String>), String> {
+    type Told = (String, Vec<[f64; 4]>, Vec<String>);
+
+    fn read_text(text: impl AsRef<[u8]>) -> Result<Told, String> {
         let document = read(text.as_ref()).map_err(|error| error.to_string())?;
         let frame = document.key_frame;
         let at: Vec<_> = frame.vertices_coords.expect("vertices").iter().map(|c| c.position).collect();

@@ -1,6 +1,6 @@
 //! Letters from colours by number.
 
-/// FOLD's letter for an index colour of `AutoCAD`. Reds are mountains and blues valleys, as ORIPA reads them; green is a cut,
+/// FOLD's letter for an index colour. Reds are mountains and blues valleys, as ORIPA reads them; green is a cut,
 /// yellow and cyan (Oriedita's auxiliary lines) are flat, magenta is free, and black, white and greys are the border.
 pub(super) fn of_index(colour: i64) -> Option<&'static str> {
     Some(match colour.abs() {

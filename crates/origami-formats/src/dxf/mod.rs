@@ -1,7 +1,7 @@
 //! DXF as text, as CAD programs, ORIPA and Oriedita write it: lines, polylines, arcs, circles, ellipses and splines.
 //!
 //! The letter of an entity is that of its layer's name (`MountainLine`, `valley`), or else of its colour: by the rules for
-//! the index colours of `AutoCAD` ([`letters`]) and [`Colours`](crate::Colours) for true ones. y is up, as in FOLD.
+//! index colours (`docs/FORMATS.md`) and [`Colours`](crate::Colours) for true ones. y is up, as in FOLD.
 //!
 //! The reader is our own: text in pairs is simple, and the crate `dxf` brings 25 others, of which one decodes pictures.
 

@@ -17,12 +17,13 @@ const SHADERS: &str = "shaders/src";
 const STUDY: &str = "crates/origami-study/src";
 
 /// Each module of the core, and those that it may use.
-const MAY_USE: [(&str, &[&str]); 17] = [
+const MAY_USE: [(&str, &[&str]); 18] = [
     ("csr", &[]),
     ("ids", &[]),
     ("error", &["ids"]),
     ("fold", &["error"]),
     ("pattern", &["csr", "error", "fold", "ids"]),
+    ("flat", &["csr", "ids", "pattern"]),
     ("parallel", &[]),
     ("rigid", &[]),
     ("twins", &[]),
@@ -33,7 +34,7 @@ const MAY_USE: [(&str, &[&str]); 17] = [
     ("forces", &["ids", "model", "scene"]),
     ("kernel", &["csr", "forces", "ids", "model", "parallel", "scene", "twins"]),
     ("solve", &["error", "forces", "ids", "kernel", "model", "parallel", "scene", "twins"]),
-    ("measure", &["error", "forces", "ids", "mesh", "model", "pattern", "rigid", "scene", "solve"]),
+    ("measure", &["error", "flat", "forces", "ids", "mesh", "model", "pattern", "rigid", "scene", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "scene", "solve"]),
 ];
 

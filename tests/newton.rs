@@ -198,6 +198,24 @@ fn the_same_input_gives_the_same_bits_in_a_session_too() {
 }
 
 #[test]
+fn the_step_limit_holds_for_relax_and_newton_together() {
+    let model = made("miura");
+    let relaxed = fold(&model, &Relax::default(), 60.0).steps;
+    let free = fold(&model, &Newton::default(), 60.0);
+    assert!(free.converged() && free.steps > relaxed + 2);
+    for (relax, limit) in [(true, 0), (true, 1), (true, relaxed), (true, relaxed + 1), (false, 0), (false, 20)] {
+        let relax = relax.then(Relax::default);
+        let folded = fold(&model, &Newton { relax, max_steps: limit, ..Newton::default() }, 60.0);
+        // A step that has begun tries shorter ones until it is sure of one.
+        let told = format!("{} steps, at most {limit}", folded.steps);
+        assert!(folded.stop == Stop::StepLimit && folded.steps <= limit + 60, "{told}");
+        assert!(limit > relaxed || limit == 20 || folded.steps <= limit + 1, "{told}");
+    }
+    let enough = fold(&model, &Newton { max_steps: free.steps, ..Newton::default() }, 60.0);
+    assert_eq!((enough.stop, &enough.state), (free.stop, &free.state));
+}
+
+#[test]
 fn what_does_not_converge_says_so() {
     let model = made("miura");
     let few = Newton { relax: None, max_factorisations: 3, ..Newton::default() };

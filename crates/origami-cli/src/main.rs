@@ -6,26 +6,39 @@ mod backend;
 mod commands;
 mod console;
 mod draw;
+mod drivers;
 mod exit;
 mod files;
+mod nearest;
 mod numbers;
+mod oddities;
 mod progress;
 mod report;
 mod settings;
 mod stopwatch;
+mod text;
+mod threads;
 
 use std::process::ExitCode;
 
 use clap::Parser;
+use clap::error::ErrorKind;
 
 use args::Cli;
 use exit::{Exit, Failure};
 
 fn main() -> ExitCode {
     let done = match Cli::try_parse() {
-        Ok(cli) => commands::run(cli),
+        Ok(cli) => {
+            drivers::hush(&cli);
+            commands::run(cli)
+        }
         Err(told) => return told_by_clap(&told),
     };
+    ended(done)
+}
+
+fn ended(done: Result<Exit, Failure>) -> ExitCode {
     match done {
         Ok(exit) => exit.into(),
         // Whoever read the output has seen enough.
@@ -37,9 +50,17 @@ fn main() -> ExitCode {
     }
 }
 
-/// Help and version end well; what clap refuses is bad usage, which is 1 here, not clap's 2.
+/// Help and version end well where they can be written; what clap refuses is bad usage, which is 1 here, not clap's 2.
 fn told_by_clap(told: &clap::Error) -> ExitCode {
-    // Nobody is left to be told where this fails.
-    let _ = told.print();
-    if told.use_stderr() { Exit::BadInput.into() } else { Exit::Done.into() }
+    match told.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+            ended(told.print().map(|()| Exit::Done).map_err(Failure::from))
+        }
+        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            // Nobody is left to be told where this fails.
+            let _ = told.print();
+            Exit::BadInput.into()
+        }
+        _ => ended(Err(Failure::Message(args::message(told)))),
+    }
 }

@@ -24,9 +24,18 @@ pub(crate) fn share(x: f64) -> String {
     format!("{} %", short(100.0 * x))
 }
 
-/// As it is, such as `90` or `33.3`; tiny and huge ones as `1e300`.
+/// With at most six significant digits, such as `90` or `33.3333`; tiny and huge ones as `1e300`.
 pub(crate) fn plain(x: f64) -> String {
+    // The nearest number that is six digits long is written with no more.
+    let x = format!("{x:.5e}").parse().unwrap_or(x);
     if x == 0.0 || (1e-6..1e9).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
+}
+
+/// Such as `90 %` and `33.33 %`: two decimals; of tiny and huge ones as many digits as [`plain`] has.
+#[cfg(feature = "render")]
+pub(crate) fn percent(x: f64) -> String {
+    let rounded = (100.0 * x).round() / 100.0;
+    format!("{} %", if (0.1..1e6).contains(&x.abs()) { rounded.to_string() } else { plain(x) })
 }
 
 /// In groups of three digits, such as `1 240`.
@@ -93,6 +102,8 @@ mod tests {
     #[test]
     fn plain_numbers_stay_short() {
         assert_eq!([0.0, -90.0, 33.25, 1e300, 2e-9].map(plain), ["0", "-90", "33.25", "1e300", "2e-9"]);
+        let unrounded = [8.571428571428571, 5.999999919246756, 0.1 + 0.2, 123456.789, 1.0 / 3.0 * 1e-7, f64::NAN];
+        assert_eq!(unrounded.map(plain), ["8.57143", "6", "0.3", "123457", "3.33333e-8", "NaN"]);
     }
 
     #[test]
@@ -103,5 +114,13 @@ mod tests {
         assert_eq!(sizes, ["0 B", "1000 B", "16 KiB", "2.0 GiB", "16 EiB"]);
         assert_eq!(duration(Duration::from_micros(12_345)), "12 ms");
         assert_eq!(duration(Duration::from_millis(3_440)), "3.4 s");
+    }
+
+    #[cfg(feature = "render")]
+    #[test]
+    fn percentages_have_two_decimals() {
+        let cases = [100.0, 8.571428571428571, 33.333333333333336, 66.66666666666667, -12.5, 0.0, 0.01234567, 1e300];
+        let texts = ["100 %", "8.57 %", "33.33 %", "66.67 %", "-12.5 %", "0 %", "0.0123457 %", "1e300 %"];
+        assert_eq!(cases.map(percent), texts);
     }
 }

@@ -10,33 +10,60 @@ use crate::numbers::{grouped, short};
 /// Parts that one bar is divided into.
 const PARTS: u64 = 1000;
 
+/// Columns below which a line has no room for a bar.
+const NARROW: u16 = 64;
+
 /// A line that shows how far the work has come.
 pub(crate) struct ProgressLine {
     bar: ProgressBar,
+}
+
+/// How much there is to do.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way {
+    /// States to settle.
+    pub(crate) stages: usize,
+    /// Steps of each, where their number is given.
+    pub(crate) steps: Option<u64>,
+}
+
+impl Way {
+    /// The share that is done of it, in this stage.
+    fn share(self, stage: usize, solver: origami::solve::Progress) -> f64 {
+        let of_stage = match self.steps {
+            Some(steps) => solver.step as f64 / steps.max(1) as f64,
+            None => solver.ramp,
+        };
+        (stage as f64 + of_stage.min(1.0)) / self.stages.max(1) as f64
+    }
 }
 
 impl ProgressLine {
     /// For `files` inputs; hidden if `quiet` or where no terminal shows it.
     pub(crate) fn new(files: usize, quiet: bool) -> Self {
         match files {
-            1 => Self::of(PARTS, "{bar:30} {msg} ({elapsed})", quiet),
-            _ => Self::of(files as u64, "{bar:30} {pos} of {len} files ({elapsed})", quiet),
+            1 => Self::of(PARTS, "{bar:30} {wide_msg} {elapsed:>5}", "{percent:>3} % {wide_msg}", quiet),
+            _ => Self::of(files as u64, "{bar:30} {pos} of {len} files ({elapsed})", "{pos} of {len} files", quiet),
         }
     }
 
     /// For `count` sheets of one pattern.
     pub(crate) fn of_sheets(count: usize, quiet: bool) -> Self {
-        Self::of(PARTS * count as u64, "{bar:30} {percent} % ({elapsed}, about {eta} to go)", quiet)
+        let full = "{bar:30} {percent} % ({elapsed}, about {eta} to go)";
+        Self::of(PARTS * count as u64, full, "{percent} %, {eta} to go", quiet)
     }
 
     /// For the runs of a study.
     #[cfg(feature = "study")]
     pub(crate) fn of_runs(quiet: bool) -> Self {
-        Self::of(0, "{bar:30} {pos} of {len} ({elapsed}, about {eta} to go) {wide_msg}", quiet)
+        Self::of(0, "{bar:30} {pos} of {len} ({elapsed}, about {eta} to go) {wide_msg}", "{pos} of {len}", quiet)
     }
 
-    fn of(length: u64, template: &str, quiet: bool) -> Self {
+    /// A line as `full` says, or as `narrow` does where that would not fit.
+    fn of(length: u64, full: &str, narrow: &str, quiet: bool) -> Self {
         let hidden = quiet || !io::stderr().is_terminal();
+        let width = terminal_size::terminal_size_of(io::stderr()).map(|(width, _)| width.0);
+        let template = if width.is_some_and(|width| width < NARROW) { narrow } else { full };
         let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
         let bar = ProgressBar::with_draw_target(Some(length), target).with_style(style);
@@ -46,21 +73,14 @@ impl ProgressLine {
         Self { bar }
     }
 
-    /// Within one file: stage `stage` of `stages` and what its solver tells.
-    pub(crate) fn show(&self, stage: usize, stages: usize, solver: origami::solve::Progress) {
+    /// Within one file: stage `stage` of its way and what its solver tells.
+    pub(crate) fn show(&self, stage: usize, way: Way, solver: origami::solve::Progress) {
         if self.bar.is_hidden() {
             return;
         }
-        let share = (stage as f64 + solver.ramp) / stages.max(1) as f64;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of 1000")]
-        self.bar.set_position((share * PARTS as f64) as u64);
-        let stage = if stages > 1 { format!("stage {} of {stages}, ", stage + 1) } else { String::new() };
-        let distance = if solver.distance.is_finite() {
-            format!(", {} of the radius to go", short(solver.distance))
-        } else {
-            String::new()
-        };
-        self.bar.set_message(format!("{stage}step {}{distance}", grouped(solver.step)));
+        self.bar.set_position((way.share(stage, solver) * PARTS as f64) as u64);
+        self.bar.set_message(said(stage, way, solver));
     }
 
     /// All sheets together have come so far; each is 1 when it is folded.
@@ -104,5 +124,40 @@ impl ProgressLine {
     /// Takes the line away.
     pub(crate) fn finish(&self) {
         self.bar.finish_and_clear();
+    }
+}
+
+/// Such as `stage 2 of 5, step 1 240, 0.0031 of the radius to go`.
+fn said(stage: usize, way: Way, solver: origami::solve::Progress) -> String {
+    let mut text = String::new();
+    if way.stages > 1 {
+        text += &format!("stage {} of {}, ", stage + 1, way.stages);
+    }
+    text += &format!("step {}", grouped(solver.step));
+    match way.steps {
+        Some(steps) => text += &format!(" of {}", grouped(steps)),
+        None if solver.distance.is_finite() => text += &format!(", {} of the radius to go", short(solver.distance)),
+        None => {}
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use origami::solve::Progress;
+
+    use super::*;
+
+    #[test]
+    fn where_steps_are_counted_they_are_what_is_shown() {
+        let solver = Progress { step: 265_750, ramp: 1.0, distance: 2e-15 };
+        let counted = Way { stages: 1, steps: Some(3_000_000) };
+        assert_eq!(said(0, counted, solver), "step 265 750 of 3 000 000");
+        assert!((counted.share(0, solver) - 265_750.0 / 3e6).abs() < 1e-12);
+        assert_eq!(Way { stages: 2, steps: Some(10) }.share(1, solver), 1.0, "never more than all");
+
+        let settling = Way { stages: 4, steps: None };
+        assert_eq!(said(1, settling, solver), "stage 2 of 4, step 265 750, 2.0e-15 of the radius to go");
+        assert_eq!(settling.share(1, Progress { ramp: 0.5, ..solver }), 0.375);
     }
 }

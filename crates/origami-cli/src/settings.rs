@@ -7,13 +7,12 @@ use origami::solve::Newton;
 use origami::solve::{Dynamics, Integrator, Precision, Relax, TimeStep, frame_percents, time_step};
 use origami::{CreasePattern, Warning, measure};
 
-use crate::args::{
-    ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PictureArgs, PrecisionName, SolverName, SolvingArgs,
-    SweepArgs,
-};
+use crate::args::{BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs};
 use crate::backend::{Backend, Method};
 use crate::draw::{Film, Style};
+use crate::files::Format;
 use crate::numbers::plain;
+use crate::progress::Way;
 
 /// Stages after the flat one in a contact sheet, where nothing is asked for.
 const STAGES: u32 = 4;
@@ -24,8 +23,14 @@ pub(crate) struct Settings {
     pub(crate) frame: Option<usize>,
     /// Percentages to stop at, in order.
     pub(crate) percents: Vec<f64>,
+    /// Those of a contact sheet, where it has stages that nothing else has: what stands beside it is folded without them.
+    pub(crate) sheet_percents: Option<Vec<f64>>,
+    /// Steps of each, where their number is given.
+    steps: Option<u64>,
     /// Whether all of them are wanted, or only the last.
     pub(crate) animated: bool,
+    /// Whether a report is asked for.
+    pub(crate) reported: bool,
     /// How pictures look; `None` where none are wanted.
     pub(crate) style: Option<Style>,
     /// What films are like.
@@ -57,23 +62,50 @@ impl Settings {
     pub(crate) fn new(args: &FoldArgs, drawn: bool) -> Result<Self, String> {
         let solving = &args.solving;
         let (time_step, integrator) = (solving.time_step(), solving.integrator());
-        let stages = args.frames.or(args.sheet.is_some().then_some(STAGES));
+        let beside_sheet = !args.outputs.is_empty() || args.png.is_some() || args.animate.is_some();
+        let of_sheet = args.sheet.is_some() && args.frames.is_none();
+        let sheet_alone = of_sheet && !beside_sheet && args.report.is_none();
+        let stages = args.frames.or(sheet_alone.then_some(STAGES));
+        let percents = stages.map_or_else(|| vec![args.percent], |n| frame_percents(args.percent, n));
         Ok(Self {
             frame: args.frame,
-            percents: stages.map_or_else(|| vec![args.percent], |stages| frame_percents(args.percent, stages)),
+            percents,
+            sheet_percents: (of_sheet && !sheet_alone).then(|| frame_percents(args.percent, STAGES)),
+            steps: solving.steps,
             animated: args.frames.is_some(),
+            reported: args.report.is_some(),
             style: drawn.then(|| Style::new(&args.picture)).transpose()?,
             film: Film { turntable: args.turntable, fps: args.fps },
             hold: args.hold.unwrap_or_default(),
             material: args.material.material(),
             solver_name: solving.solver,
             method: method(solving, args.perturbation)?,
-            backend: backend(solving)?,
+            backend: backend(solving, &args.material.named())?,
             precisions: [solving.precision_name(false), solving.precision_name(true)],
             tolerance: solving.tolerance,
             time_step,
             integrator,
         })
+    }
+
+    /// How many states are settled for one input.
+    pub(crate) fn stages(&self) -> usize {
+        self.percents.len() + self.sheet_percents.as_ref().map_or(0, Vec::len)
+    }
+
+    /// How many states a file has room for that takes all.
+    pub(crate) fn stages_of(&self, format: Format) -> usize {
+        match (format, &self.sheet_percents) {
+            (Format::Contact, Some(stages)) => stages.len(),
+            (Format::Contact, None) => self.percents.len(),
+            (Format::Glb | Format::Film | Format::Fold, _) if self.animated => self.percents.len(),
+            _ => 1,
+        }
+    }
+
+    /// How much there is to do for so many states.
+    pub(crate) fn way(&self, stages: usize) -> Way {
+        Way { stages, steps: self.steps }
     }
 
     /// What may help against divergence.
@@ -118,38 +150,59 @@ pub(crate) fn method(solving: &SolvingArgs, perturbation: Option<f64>) -> Result
                 ..Dynamics::default()
             }))
         }
-        SolverName::Newton => newton(Relax { steps: None, precision: Precision::F64, ..relax }, solving.residual),
+        SolverName::Newton => newton(Relax { steps: None, precision: Precision::F64, ..relax }, solving),
     }
 }
 
 /// Newton's method after `relax`.
 #[cfg(feature = "newton")]
 #[expect(clippy::unnecessary_wraps, reason = "a build without it has none")]
-fn newton(relax: Relax, residual: Option<f64>) -> Result<Method, String> {
-    let newton = Newton { relax: Some(relax), ..Newton::default() };
-    Ok(Method::Newton(Newton { residual: residual.unwrap_or(newton.residual), ..newton }))
+fn newton(relax: Relax, solving: &SolvingArgs) -> Result<Method, String> {
+    let newton = Newton { relax: Some(relax), max_steps: solving.max_steps, ..Newton::default() };
+    Ok(Method::Newton(Newton { residual: solving.residual.unwrap_or(newton.residual), ..newton }))
 }
 
 #[cfg(not(feature = "newton"))]
-fn newton(_relax: Relax, _residual: Option<f64>) -> Result<Method, String> {
+fn newton(_relax: Relax, _solving: &SolvingArgs) -> Result<Method, String> {
     Err("--solver newton: this build is without it (feature `newton`); expected relax or dynamics, or a build without \
          --no-default-features or with --features newton"
         .to_owned())
 }
 
-/// Where.
+/// Where; `material` has each of its numbers with its option.
 ///
 /// # Errors
 /// What this build or this machine cannot do.
-pub(crate) fn backend(solving: &SolvingArgs) -> Result<Backend, String> {
+pub(crate) fn backend(solving: &SolvingArgs, material: &[(&str, f64)]) -> Result<Backend, String> {
     if solving.solver == SolverName::Newton && solving.backend == BackendName::Gpu {
         return Err("--backend gpu: newton runs on the processor; expected auto or cpu".to_owned());
     }
     if solving.precision.is_some() && solving.backend == BackendName::Gpu {
         return Err("--precision: GPUs have numbers of their own; expected --backend cpu, or neither".to_owned());
     }
-    let wanted = if solving.precision.is_some() { BackendName::Cpu } else { solving.backend };
+    let beyond = beyond_single(solving, material);
+    if let (Some((option, x)), BackendName::Gpu) = (beyond, solving.backend) {
+        let [least, most] = SINGLE.map(|end| format!("{end:e}"));
+        let expected = format!("expected {least} to {most}, or --backend cpu");
+        return Err(format!("{option} {}: GPUs compute in f32, which is too narrow for it; {expected}", plain(x)));
+    }
+    let on_processor = solving.precision.is_some() || solving.solver == SolverName::Newton || beyond.is_some();
+    let wanted = if on_processor { BackendName::Cpu } else { solving.backend };
     Backend::new(wanted, solving.adapter.as_deref())
+}
+
+/// Numbers that a GPU can compute with: f32 ends a hundred million times farther out, where what is made of them lies.
+const SINGLE: [f64; 2] = [1e-30, 1e30];
+
+/// The first number that is beyond them, with its option; 0 is not.
+fn beyond_single<'a>(solving: &SolvingArgs, material: &[(&'a str, f64)]) -> Option<(&'a str, f64)> {
+    let time_step = match solving.time_step {
+        Some(TimeStep::Fixed(x)) => Some(("--time-step", x)),
+        _ => None,
+    };
+    let [least, most] = SINGLE;
+    let all = material.iter().copied().chain(time_step).chain([("--tolerance", solving.tolerance)]);
+    all.into_iter().find(|(_, x)| *x != 0.0 && !(least..=most).contains(&x.abs()))
 }
 
 /// What may help against divergence.
@@ -184,6 +237,23 @@ impl SolvingArgs {
         }
     }
 
+    /// As on the command line.
+    pub(crate) fn time_step_name(&self) -> String {
+        match self.time_step() {
+            TimeStep::Safe => "safe".to_owned(),
+            TimeStep::Fixed(x) => x.to_string(),
+            _ => "paper".to_owned(),
+        }
+    }
+
+    /// As on the command line.
+    pub(crate) fn integrator_name(&self) -> &'static str {
+        match self.integrator() {
+            Integrator::Verlet => "verlet",
+            _ => "euler",
+        }
+    }
+
     fn integrator(&self) -> Integrator {
         match self.integrator {
             None | Some(IntegratorName::Euler) => Integrator::Euler,
@@ -203,60 +273,4 @@ pub(crate) fn scene_warnings(
     warnings.extend(on_gpu.and_then(|tolerance| measure::single_precision(model, tolerance)));
     warnings.iter_mut().for_each(|warning| pattern.name_sources(warning));
     warnings
-}
-
-/// What is allowed but odd about the arguments.
-pub(crate) fn oddities(args: &FoldArgs, drawn: bool) -> Vec<String> {
-    let mut oddities = past_the_angles(&[args.percent]);
-    oddities.extend(oddities_of_picture(&args.picture, drawn));
-    oddities.extend(without_effect(&args.solving, args.material.zeta.is_some(), args.perturbation.is_some()));
-    oddities
-}
-
-/// The same of how pictures shall look.
-pub(crate) fn oddities_of_picture(args: &PictureArgs, drawn: bool) -> Vec<String> {
-    if !drawn && *args != PictureArgs::default() {
-        return vec!["options of pictures have no effect: none is asked for".to_owned()];
-    }
-    args.idle_of_maps().map(|name| format!("{name} has no effect without --map or --strain")).collect()
-}
-
-/// The same of a sweep, where either solver takes the perturbation.
-pub(crate) fn oddities_of_sweep(args: &SweepArgs, percents: &[f64]) -> Vec<String> {
-    let mut oddities = past_the_angles(percents);
-    oddities.extend(without_effect(&args.solving, args.has_zeta(), false));
-    oddities
-}
-
-fn past_the_angles(percents: &[f64]) -> Vec<String> {
-    let past = percents.iter().find(|percent| percent.abs() > 100.0);
-    past.map(|p| format!("--percent {}: folds past the pattern's own angles", plain(*p))).into_iter().collect()
-}
-
-fn without_effect(solving: &SolvingArgs, zeta: bool, perturbation: bool) -> Vec<String> {
-    use SolverName::{Dynamics, Newton, Relax};
-    let given = [
-        ("--time-step", &[Dynamics][..], solving.time_step.is_some()),
-        ("--integrator", &[Dynamics], solving.integrator.is_some()),
-        ("--zeta", &[Dynamics], zeta),
-        ("--perturbation", &[Relax, Newton], perturbation),
-        ("--steps", &[Relax, Dynamics], solving.steps.is_some()),
-        ("--residual", &[Newton], solving.residual.is_some()),
-        ("--precision", &[Relax, Dynamics], solving.precision.is_some()),
-    ];
-    let given = given.iter().filter(|(_, solvers, given)| *given && !solvers.contains(&solving.solver));
-    let mut oddities: Vec<String> =
-        given.map(|(name, ..)| format!("{name} has no effect with --solver {}", solving.solver.name())).collect();
-    // What the environment names is meant for other runs.
-    let named = solving.adapter.is_some() && solving.adapter != std::env::var(ADAPTER_VARIABLE).ok();
-    if named && solving.solver == Newton {
-        oddities.push("--adapter has no effect with --solver newton".to_owned());
-    } else if named && solving.precision.is_some() {
-        oddities.push("--adapter has no effect with --precision".to_owned());
-    } else if named && solving.backend == BackendName::Cpu {
-        oddities.push("--adapter has no effect with --backend cpu".to_owned());
-    } else if named && cfg!(not(feature = "gpu")) {
-        oddities.push("--adapter has no effect in a build without the feature `gpu`".to_owned());
-    }
-    oddities
 }

@@ -32,6 +32,7 @@
 //! | [`fold`] | FOLD documents as written |
 //! | [`generate`] | patterns from parameters, |
 //! | [`rigid`] | closed forms of rigid folding |
+//! | [`flat`] | whether a pattern can lie flat, and the flat-folded sheet by reflection |
 //! | [`pattern`] | [`CreasePattern`]: letters, fold angles and faces, with warnings of what was put right |
 //! | [`mesh`] | the faces cut into triangles: topology without positions |
 //! | [`model`] | [`Model`]: beams, creases and corner angles, scaled to radius 1, with a [`Material`] |
@@ -57,6 +58,7 @@
 pub mod csr;
 pub mod error;
 pub mod export;
+pub mod flat;
 pub mod fold;
 pub mod forces;
 pub mod generate;

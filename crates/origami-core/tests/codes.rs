@@ -8,7 +8,7 @@ use origami_core::error::{CreasePlace, ErrorCode, Place, WarningCode};
 use origami_core::fold::Document;
 use origami_core::generate::{Hypar, SingleCrease};
 use origami_core::ids::{EdgeId, FaceId, VertexId};
-use origami_core::measure::{scene_warnings, single_precision, strained_at_rest};
+use origami_core::measure::{folded_warnings, scene_warnings, single_precision, strained_at_rest};
 use origami_core::{CreasePattern, Error, Material, Model, Relax, Solver, Warning};
 
 fn broken(name: &str) -> PathBuf {
@@ -17,6 +17,11 @@ fn broken(name: &str) -> PathBuf {
 
 fn model(pattern: &CreasePattern) -> Result<Model, Error> {
     Model::new(pattern, &Material::default())
+}
+
+/// A file of `tests/cases`.
+fn case(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/cases").join(name).with_extension("fold")
 }
 
 /// Why the file `name` is refused.
@@ -33,6 +38,15 @@ fn square(rest: &str) -> Result<CreasePattern, Error> {
 }
 
 const DIAGONAL: &str = r#""edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]]"#;
+
+/// A square with a valley from a corner inwards, and another from there to nowhere.
+fn square_with_a_row_that_ends_inside() -> CreasePattern {
+    let text = r#"{"vertices_coords": [[0, 0], [1, 0], [1, 1], [0, 1], [0.3, 0.3], [0.6, 0.6]],
+        "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [4, 5]],
+        "edges_assignment": ["B", "B", "B", "B", "V", "V"]}"#;
+    let document = Document::from_slice(text.as_bytes()).expect("FOLD");
+    CreasePattern::from_document(&document, 0).expect("a pattern")
+}
 
 fn key(key: &'static str) -> Place {
     Place::key(key)
@@ -200,6 +214,21 @@ fn every_kind_of_warning_has_its_code_and_its_place() {
     let folded = Relax::default().fold_from_rest(&hypar, 100.0).expect("it folds");
     let told = strained_at_rest(&hypar, &folded).into_iter().collect();
     warnings.push((told, StrainedAtRest, Place::Sheet { percent: Some(100.0) }));
+    let of_state = |pattern: &CreasePattern, percent: f64| {
+        let model = model(pattern).expect("a model");
+        folded_warnings(pattern, &model, &Relax::default().fold_from_rest(&model, percent).expect("it folds"))
+    };
+    // Two creases in a row, the second of which ends inside the face.
+    let row = square_with_a_row_that_ends_inside();
+    let told = of_state(&row, 100.0);
+    for (code, edge) in [(OpenCrease, 5), (CreaseOffTarget, 4)] {
+        let of_code = told.iter().find(|warning| warning.code == code);
+        let place = of_code.unwrap_or_else(|| panic!("no {code} in {told:#?}")).place.clone();
+        assert!(matches!(&place, Place::Creases(all) if all[0].edge == Some(EdgeId(edge))), "{place}");
+        warnings.push((told.clone(), code, place));
+    }
+    let told = of_state(&CreasePattern::read(case("vertex5_cannot_close")).expect("a pattern"), 90.0);
+    warnings.push((told, CrushedTriangle, Place::Triangles(vec![[VertexId(0), VertexId(1), VertexId(5)]])));
 
     for (told, code, place) in &warnings {
         let found = told.iter().any(|warning| (warning.code, &warning.place) == (*code, place));

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use origami_core::Error;
-use origami_core::export::write_whole;
+use origami_core::export::{check_writable, remove_unfinished, write_whole};
 
 fn put<'a>(text: &'a str) -> impl FnOnce(&mut dyn Write) -> Result<(), Error> + 'a {
     move |writer| writer.write_all(text.as_bytes()).map_err(|source| Error::Io { path: "-".into(), source })
@@ -71,6 +71,35 @@ fn content_is_not_asked_for_where_there_is_no_place_for_it() {
     assert!(write_whole(folder.path().join("none/a.fold"), unwanted).is_err());
 }
 
+#[test]
+fn what_cannot_be_written_is_seen_before() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.fold");
+    check_writable(&path).expect("can be written");
+    assert!(names(folder.path()).is_empty(), "trying leaves nothing behind");
+    fs::write(&path, "old").expect("written");
+    check_writable(&path).expect("can be replaced");
+    assert_eq!(fs::read_to_string(&path).expect("read"), "old");
+    for bad in [folder.path().join("none/a.fold"), folder.path().join("a.fold/b.fold"), folder.path().into()] {
+        let told = check_writable(&bad).expect_err("cannot be written").to_string();
+        assert_eq!(told, write_whole(&bad, put("")).expect_err("cannot be written").to_string());
+    }
+}
+
+#[test]
+fn what_a_killed_program_left_is_removed_after_a_day() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let day = std::time::Duration::from_hours(24);
+    for (name, age) in [(".origami-old.part", 25), (".origami-new.part", 0), ("old.part", 25), (".origami-old", 25)] {
+        let file = fs::File::create(folder.path().join(name)).expect("made");
+        file.set_modified(std::time::SystemTime::now() - day / 24 * age).expect("set");
+    }
+    fs::create_dir(folder.path().join(".origami-folder.part")).expect("made");
+    remove_unfinished(folder.path());
+    assert_eq!(names(folder.path()), [".origami-folder.part", ".origami-new.part", ".origami-old", "old.part"]);
+    remove_unfinished(folder.path().join("none"));
+}
+
 #[cfg(unix)]
 mod unix {
     use std::os::fd::AsRawFd;
@@ -116,6 +145,17 @@ mod unix {
 
         symlink("round", folder.path().join("round")).expect("linked");
         assert!(matches!(write_whole(folder.path().join("round"), put("")), Err(Error::Io { .. })));
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_folder_that_cannot_be_written_to_is_named_and_not_a_file_of_ours() {
+        // Not even the superuser makes files there.
+        for told in [write_whole("/sys/a.fold", put("")), check_writable("/sys/a.fold")] {
+            let told = told.expect_err("refused").to_string();
+            assert!(told.starts_with("/sys/a.fold: nothing can be written into the folder /sys: "), "{told}");
+            assert!(!told.contains(".origami-"), "{told}");
+        }
     }
 
     #[test]

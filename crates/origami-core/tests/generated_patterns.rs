@@ -52,3 +52,24 @@ fn patterns_without_a_rigid_state_stay_strained() -> Result<(), Box<dyn std::err
     }
     Ok(())
 }
+
+/// A hypar takes the shape of its name: two opposite corners rise and the other two sink by as much, with less energy than
+/// where all diagonals turn the same way and the corners stay in one plane.
+#[test]
+fn a_hypar_is_a_saddle() -> Result<(), Box<dyn std::error::Error>> {
+    for (percent, least_height) in [(60.0, 0.01), (100.0, 0.1)] {
+        // How far corners lie above and below their plane, in sides of the sheet, and the energy.
+        let folded = |alternating: f64| -> Result<(f64, f64), Box<dyn std::error::Error>> {
+            let pattern = catalog::generate("hypar", &[("alternating".into(), alternating)])?;
+            let model = Model::new(&pattern, &Material::default())?;
+            let state = Relax::default().fold_from_rest(&model, percent)?.state;
+            let corners: Vec<_> = (29..33).map(|node| state.positions[node]).collect();
+            let height = (corners[0] + corners[2] - corners[1] - corners[3]).length() / 4.0;
+            Ok((height / model.rest[29].distance(model.rest[30]), state.energy(&model).total()))
+        };
+        let ((saddle, least), (tray, more)) = (folded(1.0)?, folded(0.0)?);
+        assert!(saddle > least_height && tray < 1e-5, "{percent} %: heights {saddle} and {tray}");
+        assert!(least < more, "{percent} %: energies {least} and {more}");
+    }
+    Ok(())
+}

@@ -16,8 +16,8 @@ const EXPECTED: &str = "a file of ORIPA: XML with an object oripa.DataSet";
 const ABOUT: [(&str, &str); 6] = [
     ("title", "frame_title"),
     ("memo", "frame_description"),
-    ("originalAuthorName", "file_author"),
-    ("editorName", "oripa:editorName"),
+    ("editorName", "file_author"),
+    ("originalAuthorName", "frame_author"),
     ("reference", "oripa:reference"),
     ("paperSize", "oripa:paperSize"),
 ];
@@ -137,10 +137,7 @@ mod tests {
         let document = read(OLD.as_bytes()).expect("OPX");
         let extra = &document.key_frame.extra;
         assert_eq!((&extra["frame_title"], &extra["oripa:paperSize"]), (&"a & b".into(), &"400.0".into()));
-        assert_eq!(
-            (&document.metadata["file_author"], &document.metadata["file_creator"]),
-            (&"me".into(), &"ORIPA".into())
-        );
+        assert_eq!((&extra["frame_author"], &document.metadata["file_creator"]), (&"me".into(), &"ORIPA".into()));
         assert_eq!(read(NEW.as_bytes()).expect("OPX").key_frame.extra["frame_title"], "fields");
     }
 

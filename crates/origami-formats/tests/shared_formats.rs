@@ -61,3 +61,25 @@ fn files_of_other_programs_have_the_lines_that_are_counted_in_their_text() {
         }
     }
 }
+
+/// Border, mountains and valleys, each line by its ends in order.
+fn creases(document: &Document) -> BTreeMap<String, usize> {
+    let frame = &document.key_frame;
+    let at = |v: u32| frame.vertices_coords.as_ref().expect("vertices")[v as usize].position.truncate().to_array();
+    let lines = frame.edges_vertices.iter().flatten().zip(frame.edges_assignment.iter().flatten());
+    let mut counts = BTreeMap::new();
+    for ([a, b], letter) in lines.filter(|(_, letter)| *letter != "F") {
+        let mut ends = [format!("{:?}", at(*a)), format!("{:?}", at(*b))];
+        ends.sort();
+        *counts.entry(format!("{letter} {}", ends.join(" "))).or_insert(0) += 1;
+    }
+    counts
+}
+
+/// ORIPA's CP has the same creases as its OPX, less the auxiliary lines.
+#[test]
+fn one_pattern_has_the_same_creases_as_cp_and_as_opx() {
+    let (Some((cp, _)), Some((opx, _))) = (read("a.cp"), read("a.opx")) else { return };
+    assert_eq!(creases(&cp), creases(&opx));
+    assert_eq!(creases(&cp).values().sum::<usize>(), 20);
+}

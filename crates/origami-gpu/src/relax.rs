@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use origami_core::scene::{Held, Refusal};
-use origami_core::solve::relax::{Attempt, lower};
+use origami_core::solve::relax::{Attempt, better, or_crushed, steps_of};
 use origami_core::solve::{Failed, Folded, Instance, Progress, Relax, Stop};
 
 use crate::engine::Engine;
@@ -37,10 +37,7 @@ pub(crate) fn run(
     while !active.is_empty() {
         let beginnings: Vec<Beginning<'_>> =
             active.iter().map(|(i, attempt)| beginning(relax, &instances[*i], &targets[*i], *attempt)).collect();
-        let so_far = |i: usize| match &best_so_far[i] {
-            Some(Ok(folded)) => folded.steps,
-            _ => 0,
-        };
+        let so_far = |i: usize| best_so_far[i].as_ref().map_or(0, steps_of);
         let mut report = |slot: usize, control: &Control| {
             let i = active[slot].0;
             let own = progress(control);
@@ -58,23 +55,25 @@ pub(crate) fn run(
             let instance = &instances[i];
             let held = Held::new(instance.model, &instance.scene);
             let came_to = folded(instance, held, targets[i].clone(), relax.steps.is_some(), ending, Scheme::Relax);
-            let best = match (best_so_far[i].take(), came_to) {
-                (None, came_to) => came_to,
-                // The state at hand is finite: another way that diverges does not take it away.
-                (Some(Ok(one)), Ok(other)) => {
-                    let broken_off = other.stop == Stop::Cancelled;
-                    let kept = lower(instance.model, &instance.scene, one, other, attempt.number);
-                    Ok(if broken_off { Folded { stop: Stop::Cancelled, ..kept } } else { kept })
+            let best = match best_so_far[i].take() {
+                None => came_to,
+                Some(kept) => {
+                    let broken_off = came_to.as_ref().is_ok_and(|other| other.stop == Stop::Cancelled);
+                    let best = better((instance.model, &instance.scene), kept, came_to, attempt.number);
+                    if broken_off { best.map(|kept| Folded { stop: Stop::Cancelled, ..kept }) } else { best }
                 }
-                (Some(one), _) => one,
             };
-            if !cancelled
-                && let Ok(folded) = &best
-                && let Some(attempt) = relax.next_attempt(instance.model, &instance.start, attempt, folded)
-            {
-                next.push((i, attempt));
+            if !cancelled && let Some(another) = relax.next_attempt(instance.model, &instance.start, attempt, &best) {
+                next.push((i, another));
+                best_so_far[i] = Some(best);
+                continue;
             }
-            best_so_far[i] = Some(best);
+            let ended = if relax.retries() && !cancelled {
+                or_crushed((instance.model, &instance.scene), best, attempt.number)
+            } else {
+                best
+            };
+            best_so_far[i] = Some(ended);
         }
         active = next;
     }
@@ -97,7 +96,7 @@ pub(crate) fn beginning<'m>(
 ) -> Beginning<'m> {
     Beginning {
         model: instance.model,
-        state: relax.beginning(instance.model, &instance.start, &instance.scene, targets),
+        state: attempt.settings(relax).beginning(instance.model, &instance.start, &instance.scene, targets),
         held: Held::new(instance.model, &instance.scene),
         loads: instance.scene.loads.clone(),
         targets: targets.to_vec(),

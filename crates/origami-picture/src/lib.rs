@@ -22,6 +22,7 @@
 //! | to make | take |
 //! |---|---|
 //! | a picture of a folded sheet | [`Figure`] and [`Picture`] |
+//! | soft shadows, where paper lies before paper | [`Figure::shade`] |
 //! | a map of strain, angle errors or energy | [`Map`], with a [`Quantity`] and a [`ColourMap`] |
 //! | a crease pattern as it lies, or as SVG | [`pattern`] |
 //! | several states in one picture | [`contact_sheet`] |
@@ -40,8 +41,10 @@ pub mod figure;
 pub mod glb;
 pub mod image;
 pub mod layers;
-mod legend;
+pub mod legend;
 pub mod map;
+pub mod marks;
+pub mod openness;
 pub mod pattern;
 mod picture;
 pub mod raster;
@@ -58,6 +61,8 @@ pub use figure::{Figure, Line, LineKind, LineSet};
 pub use glb::Glb;
 pub use image::Image;
 pub use map::{ColourMap, Map, Quantity};
+pub use marks::{MarkKind, Marks};
+pub use openness::Openness;
 pub use picture::Picture;
 pub use raster::Processor;
 pub use renderer::{DrawError, Renderer};

@@ -11,6 +11,7 @@ use origami_core::{CreasePattern, Error};
 use crate::camera::Camera;
 use crate::colour::Rgb;
 use crate::figure::{Figure, Line, LineKind, LineSet, chains, lips};
+use crate::marks::Marks;
 use crate::picture::Picture;
 use crate::theme::Theme;
 
@@ -34,10 +35,10 @@ impl Figure {
 }
 
 impl Picture {
-    /// This picture as crease patterns are drawn: from above, on plain white paper, facets in grey.
+    /// This picture as crease patterns are drawn: from above, on plain white paper, facets in grey, lines with their dashes.
     #[must_use]
     pub fn for_pattern(self) -> Self {
-        Self { camera: Camera::top(), theme: self.theme.for_pattern(), edges: LineSet::ALL, ..self }
+        Self { camera: Camera::top(), theme: self.theme.for_pattern(), edges: LineSet::ALL, dashed: true, ..self }
     }
 }
 
@@ -57,6 +58,12 @@ fn extent(pattern: &CreasePattern) -> (DVec3, f64) {
     let high = pattern.vertices.iter().copied().reduce(DVec3::max).unwrap_or_default();
     let radius = 0.5 * (high - low).length();
     (0.5 * low + 0.5 * high, if radius > 0.0 && radius.is_finite() { radius } else { 1.0 })
+}
+
+/// Where a point of the pattern lies in its [figure](Figure::of_pattern).
+pub(crate) fn in_figure(pattern: &CreasePattern, point: DVec3) -> [f32; 3] {
+    let (centre, radius) = extent(pattern);
+    ((point - centre) / radius).to_array().map(|x| x as f32)
 }
 
 /// All edges that stand for themselves, as lines with their vertices for nodes.
@@ -83,6 +90,12 @@ fn lines(pattern: &CreasePattern) -> impl Iterator<Item = (EdgeId, Line)> {
 /// Each kind of line is a group with its name for an id, under the sheet's faces.
 #[must_use]
 pub fn svg(pattern: &CreasePattern, theme: &Theme, edges: LineSet, width: f64) -> String {
+    svg_with(pattern, theme, edges, width, &Marks::default())
+}
+
+/// The same with rings where something is wrong, each kind a group with its name for an id, and a legend above.
+#[must_use]
+pub fn svg_with(pattern: &CreasePattern, theme: &Theme, edges: LineSet, width: f64, marks: &Marks) -> String {
     let (centre, _) = extent(pattern);
     let scale = 0.92 * width / pattern.size().max(f64::MIN_POSITIVE);
     let place = |p: DVec3| ((p.x - centre.x) * scale, (centre.y - p.y) * scale);
@@ -92,18 +105,19 @@ pub fn svg(pattern: &CreasePattern, theme: &Theme, edges: LineSet, width: f64) -
     let (w, h) = (2.0 * (margin - left), 2.0 * (margin + bottom));
     let line_scale = f64::from(Theme::line_scale(w as u32, h as u32));
 
+    let text_size = 0.025 * width;
+    let legend = marks.legend_height() * text_size;
+    let (top, h) = (-0.5 * h - legend, h + legend);
     let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w:.2}\" height=\"{h:.2}\" viewBox=\"{:.2} {:.2} {w:.2} {h:.2}\">\n",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w:.2}\" height=\"{h:.2}\" viewBox=\"{:.2} {top:.2} {w:.2} {h:.2}\">\n",
         -0.5 * w,
-        -0.5 * h,
     );
     // Writing to a string cannot fail.
     let mut put = |text: std::fmt::Arguments<'_>| svg.write_fmt(text).unwrap_or_default();
     if let Some(ground) = theme.background {
         put(format_args!(
-            "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"100%\" height=\"100%\" fill=\"{ground}\"/>\n",
+            "<rect x=\"{:.2}\" y=\"{top:.2}\" width=\"100%\" height=\"100%\" fill=\"{ground}\"/>\n",
             -0.5 * w,
-            -0.5 * h
         ));
     }
     put(format_args!("<path id=\"sheet\" fill=\"{}\" d=\"", theme.front));
@@ -146,6 +160,8 @@ pub fn svg(pattern: &CreasePattern, theme: &Theme, edges: LineSet, width: f64) -
         }
         put(format_args!("\"/>\n"));
     }
+    svg += &marks.svg(place, text_size);
+    svg += &marks.svg_legend([-0.5 * w, top], text_size, theme.text);
     svg += "</svg>\n";
     svg
 }

@@ -24,9 +24,12 @@ pub struct Picture {
     pub theme: Theme,
     /// Which lines. Default: all but facets.
     pub edges: LineSet,
+    /// Whether lines have the dashes of the theme, as in crease patterns; on folded paper they are drawn through. Default
+    /// false.
+    pub dashed: bool,
     /// How much wider or thinner lines are than the theme has them. Default 1.
     pub line_width: f32,
-    /// Whether a figure with a map has its colour bar beside it. Default true.
+    /// Whether a figure with a map has its colour bar beside it, where there is room ([`legend::fits`](crate::legend::fits)). Default true.
     pub legend: bool,
     /// A line of text below the sheet. Default: none.
     pub caption: String,
@@ -41,6 +44,7 @@ impl Default for Picture {
             camera: Camera::default(),
             theme: Theme::default(),
             edges: LineSet::default(),
+            dashed: false,
             line_width: 1.0,
             legend: true,
             caption: String::new(),
@@ -80,7 +84,7 @@ impl Picture {
 
     fn legend_of(&self, figure: &Figure) -> Option<Legend> {
         let map = figure.map.as_ref().filter(|_| self.legend)?;
-        Some(Legend::new(&map.scale, self.width, self.height))
+        Legend::new(&map.scale, self.width, self.height)
     }
 
     /// Width of a line of the theme's width 1, in pixels.

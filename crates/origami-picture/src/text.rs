@@ -30,6 +30,19 @@ fn layout(text: &str, size: f32) -> (Vec<Glyph>, f32) {
     (glyphs, x)
 }
 
+/// Characters of a text that the font does not have, each once: they are drawn as boxes.
+#[must_use]
+pub fn missing(text: &str) -> String {
+    let Some(font) = font() else { return String::new() };
+    let mut missing = String::new();
+    for letter in text.chars() {
+        if font.glyph_id(letter).0 == 0 && !missing.contains(letter) {
+            missing.push(letter);
+        }
+    }
+    missing
+}
+
 /// How wide a line of text is, in pixels; `size` is that of an em.
 #[must_use]
 pub fn width(text: &str, size: f32) -> f32 {
@@ -60,6 +73,12 @@ mod tests {
         for letter in "0123456789.,-+%°≥ abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ".chars() {
             assert_ne!(font.glyph_id(letter).0, 0, "{letter}");
         }
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_named() {
+        assert_eq!(missing("Faltung 漢字, 字: – α ≥"), "漢字");
+        assert_eq!(missing("Kranich, 90 %"), "");
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! What every picture must keep to, whatever it shows.
 
 use origami_core::generate::catalog;
-use origami_core::{Material, Model, Relax, Solver};
+use origami_core::{Material, Model, Relax, Solver, glam};
 use origami_picture::layers::Layer;
 use origami_picture::{
-    Camera, Figure, Image, Line, LineKind, LineSet, Picture, Processor, Projection, Renderer, Rgb, Theme,
+    Camera, ColourMap, Figure, Image, Line, LineKind, LineSet, Map, Picture, Processor, Projection, Renderer, Rgb,
+    Theme, map,
 };
 use proptest::prelude::*;
 
@@ -175,6 +176,46 @@ fn threads_do_not_change_a_picture() {
     };
     let first = drawn(1);
     assert!([1, 2, 5].into_iter().all(|threads| drawn(threads) == first));
+}
+
+/// The crane's wings hang on its body, flat upon itself: in front of their roots there is nothing but wing.
+#[test]
+fn no_layer_comes_before_what_hangs_on_its_stack() {
+    let pattern = catalog::generate("crane", &[]).unwrap();
+    let model = Model::new(&pattern, &Material::default()).unwrap();
+    for percent in [99.0, 100.0] {
+        let positions = Relax::default().fold_from_rest(&model, percent).unwrap().state.positions;
+        let figure = Figure::new(&pattern, &model, &positions);
+        // Triangles that stand off from the plane of the body are wing; the body's plane is that of most paper.
+        let corners = |t: usize| model.mesh.triangles[t].map(|n| positions[n.index()]);
+        let across = |t: usize| {
+            let [a, b, c] = corners(t);
+            (b - a).cross(c - a)
+        };
+        let count = figure.triangles.len();
+        let body = |normal: glam::DVec3| -> f64 { (0..count).map(|t| across(t).dot(normal).abs()).sum() };
+        let most = (0..count).map(|t| across(t).normalize()).max_by(|a, b| body(*a).total_cmp(&body(*b))).unwrap();
+        let wings: Vec<usize> = (0..count).filter(|t| across(*t).normalize().dot(most).abs() < 0.7).collect();
+        assert!(wings.len() > 2 && wings.len() < count / 2);
+        // Wings alone, and the same wings before the body: where the body is behind, they look alike.
+        let coloured = |only_wings: bool| {
+            let theme = Theme { shading: 0.0, back: Theme::paper().front, background: None, ..Theme::paper() };
+            let values = (0..count).map(|t| if wings.contains(&t) { 1.0 } else { 0.0 }).collect();
+            let scale = map::Scale { colours: ColourMap::Viridis, clip: 1.0, label: String::new(), beyond: false };
+            let mut figure = figure.clone().with_map(Map { values: map::Values::Triangles(values), scale });
+            if only_wings {
+                // The body shrinks to a point.
+                let hidden = figure.triangles.iter_mut().enumerate().filter(|(t, _)| !wings.contains(t));
+                hidden.for_each(|(_, nodes)| *nodes = [nodes[0]; 3]);
+            }
+            // From the front of a wing, where its root has the body behind it.
+            let picture = Picture { edges: LineSet::NONE, legend: false, theme, samples: 4, ..Picture::default() };
+            let view = picture.view(&figure, positions.iter().map(|p| p.to_array().map(|x| x as f32))).unwrap();
+            area(&Processor.draw_from(&picture, &figure, &view).unwrap(), ColourMap::Viridis.colour(1.0))
+        };
+        let (alone, together) = (coloured(true), coloured(false));
+        assert!(together > 0.97 * alone, "{percent} %: {together} of {alone} pixels of wing are seen");
+    }
 }
 
 #[test]

@@ -153,3 +153,55 @@ fn a_single_state_needs_no_animation_and_nonsense_is_refused() {
     assert!(error.starts_with("state 1: 3 positions; expected "), "{error}");
     assert!(Glb::default().write(&Figure::default(), &[], Vec::new()).is_err());
 }
+
+#[test]
+fn a_file_grows_as_its_states_do() {
+    let Folded { figure, states } = folded(1);
+    let written = |count: usize| {
+        let states: Vec<_> = (0..count).map(|i| states[i % 2].clone()).collect();
+        let mut bytes = Vec::new();
+        Glb::default().write(&figure, &states, &mut bytes).unwrap();
+        bytes
+    };
+    let [one, two] = [400, 800].map(|count| written(count).len() as f64);
+    assert!((two / one - 2.0).abs() < 0.02, "{one} {two}");
+
+    // 128 states have a table of weights in full, 129 its ones alone; a reader sees the same in both.
+    for count in [128, 129] {
+        let bytes = written(count);
+        let file = gltf::Gltf::from_slice(&bytes).unwrap();
+        let blob = file.blob.as_deref().unwrap();
+        let animation = file.animations().next().unwrap();
+        let channel = animation.channels().next().unwrap();
+        let Some(gltf::animation::util::ReadOutputs::MorphTargetWeights(weights)) =
+            channel.reader(|_| Some(blob)).read_outputs()
+        else {
+            panic!("weights")
+        };
+        let weights: Vec<f32> = weights.into_f32().collect();
+        assert_eq!(weights.len(), count * (count - 1));
+        for (i, weights) in weights.chunks(count - 1).enumerate() {
+            let expected: Vec<f32> = (1..count).map(|target| if target == i { 1.0 } else { 0.0 }).collect();
+            assert!(weights == expected, "state {i} of {count}");
+        }
+    }
+}
+
+#[test]
+fn more_states_than_a_file_holds_are_refused_by_arithmetic() {
+    let Folded { figure, .. } = folded(1);
+    let check = |states| Glb::default().check(&figure, states);
+    assert!([0, 1, 2, 10_000].map(check).iter().all(Result::is_ok));
+    for states in [16_001, 100_000, usize::MAX] {
+        let told = check(states).unwrap_err().to_string();
+        assert!(told.contains("states are more than a file holds; expected at most 16000"), "{told}");
+    }
+    // Of a large sheet the 4 GB come first.
+    let mut large = figure.clone();
+    large.triangles = figure.triangles.iter().copied().cycle().take(100_000).collect();
+    large.map = None;
+    let told = Glb::default().check(&large, 1000).unwrap_err().to_string();
+    let most: u64 = told.rsplit(' ').next().unwrap().parse().unwrap();
+    assert!((500..600).contains(&most), "{told}");
+    assert!(Glb::default().check(&large, most as usize).is_ok());
+}

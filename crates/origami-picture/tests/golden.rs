@@ -47,6 +47,21 @@ fn flat_layers() {
     let twist = figure("square-twist", 100.0);
     check("square-twist-100", &Processor.draw(&from(-60.0, 60.0), &twist).unwrap());
     check("square-twist-100-below", &Processor.draw(&from(-60.0, -60.0), &twist).unwrap());
+    // Wings hang on a stack of layers, and nothing of it comes before them.
+    check("crane-100", &Processor.draw(&small(), &figure("crane", 100.0)).unwrap());
+    // Two triangles make the topmost panel, and no crease below comes out between them.
+    let miura = figure("miura", 100.0);
+    check("miura-100", &Processor.draw(&Picture { camera: miura.camera(), ..small() }, &miura).unwrap());
+}
+
+/// Valleys and what lies under a flap are darker.
+#[test]
+fn soft_shading() {
+    for (name, percent) in [("miura", 80.0), ("square-twist", 80.0), ("kresling", 90.0)] {
+        let mut figure = figure(name, percent);
+        figure.shade();
+        check(&format!("{name}-{percent}-soft"), &Processor.draw(&small(), &figure).unwrap());
+    }
 }
 
 #[test]
@@ -107,7 +122,7 @@ fn a_wrong_picture_fails() {
     turned.triangles[0].swap(0, 1);
     let mut dented = figure.clone();
     dented.positions[8][2] += 0.03;
-    let darker = Picture { theme: Theme { shading: 1.1, ..Theme::paper() }, ..picture.clone() };
+    let darker = Picture { theme: Theme { shading: 1.25, ..Theme::paper() }, ..picture.clone() };
     for (what, wrong) in [
         ("a line is missing", Processor.draw(&picture, &missing)),
         ("a triangle shows its back", Processor.draw(&picture, &turned)),

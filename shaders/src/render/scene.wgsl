@@ -6,6 +6,7 @@
 override AMBIENT: f32 = 0.0;
 override KEY: f32 = 0.0;
 override SKY: f32 = 0.0;
+override SHADE: f32 = 0.0;
 
 const NONE: u32 = 0xffffffffu;
 // What values are of.
@@ -62,8 +63,12 @@ struct Tile {
 
 struct Triangle {
     nodes: vec3<u32>,
+    // Where its values of openness begin.
+    start: u32,
     // How much nearer each of its corners is drawn.
     lifts: vec3<f32>,
+    // Into how many parts its sides are cut for these; 0: all is open.
+    parts: u32,
 }
 
 struct Line {
@@ -86,6 +91,8 @@ struct Line {
 @group(0) @binding(5) var<storage, read> shares: array<f32>;
 // The colour map as linear light.
 @group(0) @binding(6) var<uniform> table: array<vec4<f32>, 256>;
+// How much of the light from all around reaches the front and the back of each place.
+@group(0) @binding(7) var<storage, read> openness: array<vec2<f32>>;
 
 // A node in the picture.
 struct Corner {

@@ -8,7 +8,7 @@ use origami::measure::attitude::Hold;
 use origami::solve::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, TimeStep};
 
 use super::hold::hold;
-use super::values::{finite, positive, share, time_step};
+use super::values::{finite, index, positive, share, steps, threads, time_step, whole};
 use super::{MaterialArgs, PictureArgs, ReadingArgs};
 use crate::files::Format;
 
@@ -33,6 +33,11 @@ Exit codes:
 
 /// The environment variable that stands in for `--adapter`.
 pub(crate) const ADAPTER_VARIABLE: &str = "ORIGAMI_ADAPTER";
+
+/// Whether an adapter is named for this run: what the environment names is meant for others too.
+pub(crate) fn is_named(adapter: Option<&str>) -> bool {
+    adapter.is_some() && adapter.map(str::to_owned) != std::env::var(ADAPTER_VARIABLE).ok()
+}
 
 /// Fold crease patterns.
 ///
@@ -65,7 +70,7 @@ pub(crate) struct FoldArgs {
     /// A film of the stages of --frames, of a --turntable or of both
     ///
     /// The extension tells the format: .apng, .gif, or .png for one file for each picture, numbered: DIR/a-.png becomes
-    /// DIR/a-000.png and so on.
+    /// DIR/a-000.png and so on, in a folder that is made where it is missing.
     #[arg(long, value_name = "OUT")]
     pub(crate) animate: Option<PathBuf>,
 
@@ -81,21 +86,21 @@ pub(crate) struct FoldArgs {
     ///
     /// The stages are evenly spaced up to the percentage. FOLD and glTF files then hold all of them, OBJ, STL
     /// and PNG files the last.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(1..=100_000))]
     pub(crate) frames: Option<u32>,
 
     /// Go once round the sheet in N pictures of --animate; with --frames while it folds
     ///
     /// If N is more than there are stages the last stage stays; if less, the round begins again.
-    #[arg(long, value_name = "N", requires = "animate", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", requires = "animate", value_parser = whole::<u32>(1..=100_000))]
     pub(crate) turntable: Option<u32>,
 
     /// Pictures in a second of --animate, 1 to 100 [default: 20]
-    #[arg(long, value_name = "X", requires = "animate", value_parser = clap::value_parser!(u16).range(1..=100))]
+    #[arg(long, value_name = "X", requires = "animate", value_parser = whole::<u16>(1..=100))]
     pub(crate) fps: Option<u16>,
 
     /// Which frame of the input to fold: 0 is the key frame [default: the first with vertex positions]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = index)]
     pub(crate) frame: Option<usize>,
 
     /// What keeps its place: `sheet`, `none` or the number of a face [default: sheet]
@@ -116,8 +121,8 @@ pub(crate) struct FoldArgs {
     /// How many threads to fold with [default: as many as there are processors]
     ///
     /// One input is shared out among them if it is large and that is faster; of several, each takes one. Outputs do not
-    /// depend on it.
-    #[arg(long, value_name = "N")]
+    /// depend on it. More than 64 are used only where there are so many processors.
+    #[arg(long, value_name = "N", value_parser = threads)]
     pub(crate) threads: Option<NonZeroUsize>,
 
     /// Say nothing but errors
@@ -183,16 +188,16 @@ pub(crate) struct SolvingArgs {
     pub(crate) residual: Option<f64>,
 
     /// Steps after which to give up, for each stage; all its attempts together
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_MAX_STEPS)]
+    #[arg(long, value_name = "N", value_parser = steps, default_value_t = DEFAULT_MAX_STEPS)]
     pub(crate) max_steps: u64,
 
     /// Run exactly N steps, converged or not; with --frames, N for each stage
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = steps)]
     pub(crate) steps: Option<u64>,
 
     /// Steps over which the fold angles rise; 0 is a jump [default: dynamics 0; relax 400, more above 300 vertices,
     /// shared by the stages]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(0..=u32::MAX.into()))]
     pub(crate) ramp: Option<u32>,
 
     /// Length of a step of dynamics: `paper`, `safe` or a number [default: paper]

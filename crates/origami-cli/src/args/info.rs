@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::values::index;
 use super::{MaterialArgs, ReadingArgs};
 
 const EXAMPLES: &str = "\
@@ -26,7 +27,7 @@ pub(crate) struct InfoArgs {
     pub(crate) input: PathBuf,
 
     /// Which frame holds the pattern: 0 is the key frame [default: the first with vertex positions]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = index)]
     pub(crate) frame: Option<usize>,
 
     /// As JSON; docs/REPORT.md has the keys

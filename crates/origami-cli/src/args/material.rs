@@ -32,6 +32,12 @@ impl MaterialArgs {
         let zeta = self.zeta.unwrap_or(Material::default().zeta);
         Material { ea: self.ea, k_fold: self.k_fold, k_facet: self.k_facet, k_face: self.k_face, zeta }
     }
+
+    /// Its numbers with their options.
+    pub(crate) fn named(&self) -> [(&'static str, f64); 5] {
+        let Material { ea, k_fold, k_facet, k_face, zeta } = self.material();
+        [("--ea", ea), ("--k-fold", k_fold), ("--k-facet", k_facet), ("--k-face", k_face), ("--zeta", zeta)]
+    }
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ mod reading;
 mod render;
 mod study;
 mod sweep;
+mod usage;
 mod values;
 
 pub(crate) use adapters::AdaptersArgs;
@@ -21,7 +22,7 @@ pub(crate) use convert::ConvertArgs;
 #[cfg(feature = "formats")]
 pub(crate) use convert::LinesName;
 pub(crate) use fold::{
-    ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs,
+    ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs, is_named,
 };
 pub(crate) use info::InfoArgs;
 #[cfg(feature = "render")]
@@ -29,7 +30,7 @@ pub(crate) use look::{Ground, check_size};
 pub(crate) use material::MaterialArgs;
 pub(crate) use pattern::PatternArgs;
 #[cfg(feature = "render")]
-pub(crate) use picture::{CameraName, ColoursName, ThemeName};
+pub(crate) use picture::{CameraName, ColoursName, ShadingName, ThemeName};
 pub(crate) use picture::{MapName, PictureArgs};
 pub(crate) use reading::ReadingArgs;
 pub(crate) use render::{RenderArgs, ViewName};
@@ -37,6 +38,7 @@ pub(crate) use study::StudyArgs;
 #[cfg(feature = "study")]
 pub(crate) use study::{StudyBackend, StudyName};
 pub(crate) use sweep::SweepArgs;
+pub(crate) use usage::message;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
@@ -49,7 +51,6 @@ use clap_complete::Shell;
     bin_name = "origami",
     version,
     max_term_width = 100,
-    disable_help_subcommand = true,
     after_help = EXAMPLES
 )]
 pub(crate) struct Cli {
@@ -90,6 +91,8 @@ pub(crate) enum Command {
     /// Write the manual page to standard output.
     #[command(after_help = "Example:\n  origami man > origami.1 && man ./origami.1")]
     Man,
+    /// Tell the version.
+    Version,
 }
 
 /// The definition of the whole command line.

@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use clap::builder::PossibleValuesParser;
+use origami::generate::catalog;
 
 use super::values::key_value;
 
@@ -20,7 +22,8 @@ Examples:
 )]
 pub(crate) struct PatternArgs {
     /// Which pattern; --list names them
-    #[arg(value_name = "NAME", required_unless_present = "list")]
+    #[arg(value_name = "NAME", required_unless_present = "list", value_parser = PossibleValuesParser::new(catalog::names()),
+        hide_possible_values = true)]
     pub(crate) name: Option<String>,
 
     /// Set a parameter; angles are in degrees; can be given more than once

@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use super::look::{Ground, LineSet};
-use super::values::{finite, positive, size};
+use super::values::{finite, line_width, positive, size};
 
 /// Options of pictures. What is not given is the library's default.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
@@ -17,7 +17,7 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "N", value_parser = samples)]
     pub(crate) samples: Option<u32>,
 
-    /// From where
+    /// From where [default: auto, or default if an angle is given]
     #[arg(long, value_enum, value_name = "VIEW")]
     pub(crate) camera: Option<CameraName>,
 
@@ -45,6 +45,10 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_enum, value_name = "THEME")]
     pub(crate) theme: Option<ThemeName>,
 
+    /// Light on the paper [default: soft]
+    #[arg(long, value_enum, value_name = "SHADING")]
+    pub(crate) shading: Option<ShadingName>,
+
     /// Behind the sheet: `transparent`, `white`, `black` or `#rrggbb`
     #[arg(long, value_name = "COLOUR", value_parser = Ground::parse)]
     pub(crate) background: Option<Ground>,
@@ -55,8 +59,8 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "MVBFCU|all|none", value_parser = edges)]
     pub(crate) edges: Option<LineSet>,
 
-    /// Make lines wider or thinner; 1 is as the theme has them
-    #[arg(long, value_name = "X", value_parser = positive)]
+    /// Make lines wider or thinner, 0.05 to 50; 1 is as the theme has them
+    #[arg(long, value_name = "X", value_parser = line_width)]
     pub(crate) line_width: Option<f64>,
 
     /// Show strain as colours: the same as --map strain
@@ -75,7 +79,7 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "X", value_parser = positive)]
     pub(crate) clip: Option<f64>,
 
-    /// Leave out the colour bar
+    /// Leave out the colour bar; where it would take more than two fifths of the width it is left out anyway
     #[arg(long)]
     pub(crate) no_legend: bool,
 
@@ -90,6 +94,32 @@ impl PictureArgs {
         self.map.or(self.strain.then_some(MapName::Strain))
     }
 
+    /// All options that are given.
+    pub(crate) fn given(&self) -> impl Iterator<Item = &'static str> {
+        let given = [
+            ("--size", self.size.is_some()),
+            ("--samples", self.samples.is_some()),
+            ("--camera", self.camera.is_some()),
+            ("--azimuth", self.azimuth.is_some()),
+            ("--elevation", self.elevation.is_some()),
+            ("--roll", self.roll.is_some()),
+            ("--zoom", self.zoom.is_some()),
+            ("--perspective", self.perspective.is_some()),
+            ("--theme", self.theme.is_some()),
+            ("--background", self.background.is_some()),
+            ("--edges", self.edges.is_some()),
+            ("--line-width", self.line_width.is_some()),
+            ("--shading", self.shading.is_some()),
+            ("--strain", self.strain),
+            ("--map", self.map.is_some()),
+            ("--colours", self.colours.is_some()),
+            ("--clip", self.clip.is_some()),
+            ("--no-legend", self.no_legend),
+            ("--caption", self.caption.is_some()),
+        ];
+        given.into_iter().filter(|(_, given)| *given).map(|(name, _)| name)
+    }
+
     /// Options of maps that are given without a map.
     pub(crate) fn idle_of_maps(&self) -> impl Iterator<Item = &'static str> {
         let given =
@@ -102,6 +132,8 @@ impl PictureArgs {
 /// From where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum CameraName {
+    /// A flat sheet from its face, any other from the left in front, above
+    Auto,
     /// From the left in front, above
     Default,
     /// Straight down, as crease patterns are drawn
@@ -112,6 +144,17 @@ pub(crate) enum CameraName {
     Isometric,
 }
 
+/// Light on the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ShadingName {
+    /// Valleys and what lies under a flap are darker
+    Soft,
+    /// Each face by the way that it is turned alone
+    Flat,
+    /// None: the colours of the theme
+    None,
+}
+
 /// Colours of paper, ground and lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum ThemeName {
@@ -119,7 +162,7 @@ pub(crate) enum ThemeName {
     Paper,
     /// White paper on white
     White,
-    /// Greys; dashes tell mountain from valley
+    /// Greys; in patterns dashes tell mountain from valley
     Mono,
     /// For slides
     Dark,

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::values::index;
 use super::{ADAPTER_VARIABLE, BackendName, PictureArgs, ReadingArgs};
 
 const EXAMPLES: &str = "\
@@ -18,7 +19,9 @@ Exit codes: 0 done, 1 bad input or usage.";
 
 /// Draw a crease pattern or a folded form as it lies.
 ///
-/// Nothing is folded: vertices are where the file has them. Pictures are the same on every machine, need no display and
+/// Nothing is folded: vertices are where the file has them. On a crease pattern vertices that break a rule of flat folding
+/// and creases that end inside a face are ringed, with a legend; lines of which no sheet can be made are drawn as they are,
+/// with the reason below. Pictures are the same on every machine, need no display and
 /// no GPU, and are written whole or not at all.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, override_usage = "origami render [OPTIONS] <INPUT> -o <OUT>")]
@@ -34,12 +37,16 @@ pub(crate) struct RenderArgs {
     pub(crate) outputs: Vec<PathBuf>,
 
     /// Which frame of the input to draw: 0 is the key frame [default: the first with vertex positions]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = index)]
     pub(crate) frame: Option<usize>,
 
     /// As what [default: pattern for what is flat and no folded form, else sheet]
     #[arg(long, value_enum, value_name = "VIEW")]
     pub(crate) view: Option<ViewName>,
+
+    /// Mark nothing on a crease pattern: neither vertices that cannot fold flat nor creases that end inside a face
+    #[arg(long)]
+    pub(crate) no_marks: bool,
 
     /// Say nothing but errors
     #[arg(short, long)]

@@ -85,6 +85,13 @@ pub(crate) enum StudyBackend {
     Gpu,
 }
 
+impl StudyArgs {
+    /// Whether a GPU is wanted.
+    pub(crate) fn asks_for_gpu(&self) -> bool {
+        self.backend == StudyBackend::Gpu
+    }
+}
+
 #[cfg(feature = "study")]
 impl StudyArgs {
     /// None where it is longer than a clock can tell.

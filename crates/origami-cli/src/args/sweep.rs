@@ -10,7 +10,7 @@ use origami::solve::{Relax, Sweep};
 
 use super::hold::hold;
 use super::list::List;
-use super::values::{at_least_zero, finite, positive, share};
+use super::values::{at_least_zero, finite, index, positive, share, threads, whole};
 use super::{ReadingArgs, SolverName, SolvingArgs};
 use crate::files::Format;
 use crate::numbers::grouped;
@@ -23,6 +23,7 @@ Examples:
   origami sweep crane.fold --percent 0:100:5 --k-fold 0.1,0.7,7 -o out  63 sheets
   origami sweep crane.fold --percent 100:-100:-20 --folded obj -o out   Each as a file too
   origami sweep crane.fold --perturbation 0.003,0.03 --seeds 50 -o out  Where chance leads
+  origami sweep crane.fold --percent 0:100:0.01 -o out --resume         On, after Ctrl-C
 
 Every combination is folded from the sheet as the file has it. Rows come in this order, the last
 varying fastest: ea, k-fold, k-facet, k-face, zeta, perturbation, seed, percent.
@@ -37,7 +38,8 @@ Exit codes:
 /// Fold one crease pattern in many ways.
 ///
 /// Every combination of percentages, materials and perturbations, many at once. sweep.csv and sweep.json in the folder
-/// have a row for each: how far it converged, strain, energy, angles. Files are written whole or not at all.
+/// have a row for each: how far it converged, strain, energy, angles. Rows are written as they come: what is done is kept
+/// where a sweep ends early, and --resume goes on from there.
 ///
 /// A LIST is numbers and ranges FROM:TO:STEP, separated by commas: `0.1,0.7,7`, `0:100:5`, `100:0:-10,-50`. A range has
 /// its end where a step leads there.
@@ -71,11 +73,11 @@ pub(crate) struct SweepArgs {
     percent: List,
 
     /// Take each perturbation in N different directions
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MOST as u64), default_value_t = 1)]
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(1..=MOST as u64), default_value_t = 1)]
     seeds: u64,
 
     /// Which frame of the input to fold: 0 is the key frame [default: the first with vertex positions]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = index)]
     pub(crate) frame: Option<usize>,
 
     /// What keeps its place: `sheet`, `none` or the number of a face [default: sheet]
@@ -87,8 +89,15 @@ pub(crate) struct SweepArgs {
     pub(crate) hold: Option<Hold>,
 
     /// How many sheets to fold at once [default: as many as there are processors]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = threads)]
     pub(crate) threads: Option<NonZeroUsize>,
+
+    /// Go on where a sweep into the same folder ended early
+    ///
+    /// The rows that are there are taken; all settings and the pattern must be those they were made with. Without it they
+    /// are replaced.
+    #[arg(long)]
+    pub(crate) resume: bool,
 
     /// Say nothing but errors
     #[arg(short, long)]
@@ -147,14 +156,7 @@ impl SweepArgs {
     pub(crate) fn sweep(&self) -> Result<(Sweep, usize), String> {
         let List(percents) = self.percent.clone();
         let perturbations = self.perturbation.clone().map_or_else(|| vec![self.default_perturbation()], |list| list.0);
-        let material = &self.material;
-        let grid = MaterialGrid {
-            ea: material.ea.0.clone(),
-            k_fold: material.k_fold.0.clone(),
-            k_facet: material.k_facet.0.clone(),
-            k_face: material.k_face.0.clone(),
-            zeta: material.zeta.clone().map_or_else(|| vec![Material::default().zeta], |list| list.0),
-        };
+        let grid = self.grid();
         let seeds = usize::try_from(self.seeds).ok();
         let counts = [grid.count(), Some(percents.len()), Some(perturbations.len()), seeds];
         let count = counts.into_iter().try_fold(1_usize, |product, count| product.checked_mul(count?));
@@ -170,12 +172,37 @@ impl SweepArgs {
         }
     }
 
+    /// The numbers that materials are made of.
+    pub(crate) fn grid(&self) -> MaterialGrid {
+        let material = &self.material;
+        MaterialGrid {
+            ea: material.ea.0.clone(),
+            k_fold: material.k_fold.0.clone(),
+            k_facet: material.k_facet.0.clone(),
+            k_face: material.k_face.0.clone(),
+            zeta: material.zeta.clone().map_or_else(|| vec![Material::default().zeta], |list| list.0),
+        }
+    }
+
     /// That of `origami fold`.
     fn default_perturbation(&self) -> f64 {
         match self.solving.solver {
             SolverName::Relax | SolverName::Newton => Relax::default().perturbation,
             SolverName::Dynamics => 0.0,
         }
+    }
+
+    /// All numbers of the materials with their options.
+    pub(crate) fn named_material(&self) -> Vec<(&'static str, f64)> {
+        let MaterialLists { ea, k_fold, k_facet, k_face, zeta } = &self.material;
+        let lists = [("--ea", ea), ("--k-fold", k_fold), ("--k-facet", k_facet), ("--k-face", k_face)];
+        let lists = lists.into_iter().chain(zeta.as_ref().map(|zeta| ("--zeta", zeta)));
+        lists.flat_map(|(name, list)| list.0.iter().map(move |x| (name, *x))).collect()
+    }
+
+    /// Whether other directions are asked for of what is not moved.
+    pub(crate) fn has_idle_seeds(&self, sweep: &Sweep) -> bool {
+        self.seeds > 1 && sweep.perturbations.iter().all(|x| *x == 0.0)
     }
 
     /// Whether damping is asked for.

@@ -42,6 +42,11 @@ impl Backend {
     }
 }
 
+/// None can be used.
+pub(crate) fn may_have_hardware() -> bool {
+    false
+}
+
 /// None can be seen.
 ///
 /// # Errors

@@ -12,7 +12,7 @@ use origami::picture::Renderer;
 use origami::solve::Solver;
 
 use super::{Computer, Method};
-use crate::args::BackendName;
+use crate::args::{BackendName, is_named};
 use crate::report::{Adapter, AdapterDetails};
 
 /// The processor and a GPU, which is opened at most once, and only when it is needed.
@@ -36,6 +36,13 @@ impl Backend {
         {
             return Err(format!("--backend gpu: {error}"));
         }
+        // Of all that may be wrong with it, a name that no adapter has is a slip of the hand.
+        if wanted == BackendName::Auto
+            && is_named(adapter)
+            && let Err(error @ GpuError::NoSuchAdapter { .. }) = backend.open()
+        {
+            return Err(format!("--adapter: {error}"));
+        }
         Ok(backend)
     }
 
@@ -44,7 +51,7 @@ impl Backend {
         let worth_it = match self.wanted {
             BackendName::Cpu => false,
             BackendName::Gpu => true,
-            BackendName::Auto => nodes >= AUTO_NODES,
+            BackendName::Auto => nodes >= AUTO_NODES && (self.named.is_some() || may_have_hardware()),
         };
         if !worth_it {
             return Computer::processor(method);
@@ -125,6 +132,13 @@ impl From<&AdapterSummary> for AdapterDetails {
             unfit: summary.lacks.map(|lack| lack.to_string()),
         }
     }
+}
+
+/// Whether this machine may have a GPU: drivers are not loaded, which takes time and may complain, where Linux has no
+/// device that one could be behind.
+pub(crate) fn may_have_hardware() -> bool {
+    const DEVICES: [&str; 6] = ["/dev/dri", "/dev/nvidiactl", "/dev/dxg", "/dev/kfd", "/dev/mali0", "/dev/kgsl-3d0"];
+    cfg!(not(target_os = "linux")) || DEVICES.iter().any(|device| std::path::Path::new(device).exists())
 }
 
 /// All that there are, hardware first.

@@ -6,9 +6,9 @@ mod absent;
 mod gpu;
 
 #[cfg(not(feature = "gpu"))]
-pub(crate) use absent::{Backend, adapters, none};
+pub(crate) use absent::{Backend, adapters, may_have_hardware, none};
 #[cfg(feature = "gpu")]
-pub(crate) use gpu::{Backend, adapters, none};
+pub(crate) use gpu::{Backend, adapters, may_have_hardware, none};
 
 use origami::Warning;
 #[cfg(feature = "newton")]

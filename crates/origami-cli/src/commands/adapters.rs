@@ -19,7 +19,11 @@ pub(super) fn run(args: &AdaptersArgs) -> Result<Exit, Failure> {
     } else {
         table(&adapters)
     };
-    console::print(text.as_bytes())?;
+    if args.json {
+        console::print(text.as_bytes())?;
+    } else {
+        console::print_text(&text)?;
+    }
     Ok(Exit::Done)
 }
 

@@ -29,5 +29,6 @@ pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
         Command::Adapters(args) => adapters::run(&args),
         Command::Completions { shell } => texts::completions(shell),
         Command::Man => texts::man(),
+        Command::Version => texts::version(),
     }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use origami::{CreasePattern, Error, Model, State};
 use serde_json::Value;
 
-use super::{Film, Subject};
+use super::{Faults, Film, Subject};
 use crate::args::PictureArgs;
 use crate::backend::Backend;
 use crate::files::Format;
@@ -40,7 +40,21 @@ impl Artist {
     }
 }
 
+pub(crate) fn oddities(_args: &PictureArgs) -> Vec<String> {
+    Vec::new()
+}
+
 pub(crate) fn check_contact(_style: &Style, _states: usize) -> Result<(), String> {
+    Ok(())
+}
+
+pub(crate) fn check_drawable(
+    _format: Format,
+    _style: &Style,
+    _pattern: &CreasePattern,
+    _model: &origami::Model,
+    _states: usize,
+) -> Result<(), Error> {
     Ok(())
 }
 
@@ -71,6 +85,16 @@ pub(crate) fn pattern(
     _format: Format,
     _artist: &Artist,
     _pattern: &CreasePattern,
+    _writer: &mut dyn Write,
+) -> Result<(), Error> {
+    Err(absent())
+}
+
+pub(crate) fn faulty_pattern(
+    _format: Format,
+    _artist: &Artist,
+    _pattern: &CreasePattern,
+    _faults: &Faults<'_>,
     _writer: &mut dyn Write,
 ) -> Result<(), Error> {
     Err(absent())

@@ -2,11 +2,12 @@
 
 use std::io::Write;
 
-use origami::picture::{Figure, Image, Picture};
+use origami::picture::legend::bar;
+use origami::picture::{Image, Picture};
 use origami::{CreasePattern, Error};
 
 use super::{Artist, Style, Subject, still};
-use crate::numbers::plain;
+use crate::numbers;
 
 /// Pixels of each part, where no size is asked for.
 pub(super) const SIZE: [u32; 2] = [480, 384];
@@ -25,15 +26,16 @@ pub(super) fn extent(style: &Style, parts: u32) -> [u32; 2] {
     // Beyond this any picture is too large.
     let parts = parts.min(1 << 20);
     let columns = columns(parts);
-    [width.saturating_mul(columns), height.saturating_mul(parts.div_ceil(columns))]
+    let bar = style.bar_width(SIZE).unwrap_or(0);
+    [width.saturating_mul(columns).saturating_add(bar), height.saturating_mul(parts.div_ceil(columns))]
 }
 
-/// The pattern, where it is flat, and all states as one PNG. All states are seen from one place, at one scale, and so
-/// are their maps.
+/// The pattern, where it is flat, and all states as one PNG: each state as a picture of its own would be, with one scale of
+/// colours for all, and one bar.
 pub(super) fn contact(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
     let Some((_, first)) = subject.states.first() else { return Ok(()) };
     let style = &artist.style;
-    let picture = style.picture(SIZE);
+    let picture = Picture { legend: false, ..style.picture(SIZE) };
     let flat = subject.pattern.is_flat();
     let parts = u32::try_from(subject.states.len()).unwrap_or(u32::MAX).saturating_add(flat.into());
     let [width, height] = extent(style, parts);
@@ -50,16 +52,20 @@ pub(super) fn contact(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Wr
         put(&pattern(artist, subject.pattern)?);
     }
     let clip = style.clip(subject);
-    let mut figure = Figure::new(subject.pattern, subject.model, &first.positions);
+    let mut figure = style.figure(subject, first, clip);
     let captioned =
-        |percent: f64| Picture { caption: caption(&picture, &format!("{} %", plain(percent))), ..picture.clone() };
-    style.mapped(&mut figure, subject, first, clip);
-    let points = subject.states.iter().flat_map(|(_, state)| &state.positions);
-    let view = captioned(0.0).view(&figure, points.map(|p| p.to_array().map(|x| x as f32)))?;
-    for (percent, state) in subject.states {
-        figure.move_to(subject.model, &state.positions);
-        style.mapped(&mut figure, subject, state, clip);
-        put(&artist.draw(&captioned(*percent), &figure, &view)?);
+        |percent: f64| Picture { caption: caption(&picture, &numbers::percent(percent)), ..picture.clone() };
+    for (i, (percent, state)) in subject.states.iter().enumerate() {
+        if i > 0 {
+            style.move_to(&mut figure, subject, state, clip);
+        }
+        let picture = captioned(*percent);
+        let view = style.view(&picture, &figure)?;
+        put(&artist.draw(&picture, &figure, &view)?);
+    }
+    if let (Some(map), Some(_)) = (&figure.map, style.bar_width(SIZE)) {
+        let bar = bar(&map.scale, &picture.theme, [picture.width, picture.height], height)?;
+        whole.place(&bar, picture.width * columns, 0);
     }
     whole.write_png(writer)
 }

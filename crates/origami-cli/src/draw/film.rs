@@ -78,10 +78,9 @@ impl<'a> Reel<'a> {
         let positions = positions.map(|p| p.to_array().map(|x| x as f32));
         let points = if film.turntable.is_some() { swept(positions) } else { positions.collect() };
         let clip = artist.style.clip(subject);
-        let mut figure = Figure::new(subject.pattern, subject.model, &first.positions);
-        artist.style.mapped(&mut figure, subject, first, clip);
-        let (picture, count) =
-            (artist.style.picture(contact::SIZE), subject.states.len().max(film.turntable.unwrap_or(0) as usize));
+        let figure = artist.style.figure(subject, first, clip);
+        let picture = camera(artist, subject, film);
+        let count = subject.states.len().max(film.turntable.unwrap_or(0) as usize);
         Some(Self { artist, subject, picture, turntable: film.turntable, count, clip, points, figure })
     }
 
@@ -89,8 +88,7 @@ impl<'a> Reel<'a> {
     fn draw(&mut self, i: usize) -> Result<Image, Error> {
         let states = self.subject.states;
         if let Some((_, state)) = states.get(i) {
-            self.figure.move_to(self.subject.model, &state.positions);
-            self.artist.style.mapped(&mut self.figure, self.subject, state, self.clip);
+            self.artist.style.move_to(&mut self.figure, self.subject, state, self.clip);
         }
         self.artist.draw(&self.picture, &self.figure, &self.view(i)?)
     }
@@ -102,4 +100,20 @@ impl<'a> Reel<'a> {
         let picture = Picture { camera: Camera { azimuth, ..camera }, ..self.picture.clone() };
         picture.view(&self.figure, self.points.iter().copied())
     }
+}
+
+/// The picture with its camera: one for the whole film. A sheet that lies flat in every picture, and in one plane, is seen
+/// from its face.
+fn camera(artist: &Artist, subject: Subject<'_>, film: Film) -> Picture {
+    let picture = artist.style.picture(contact::SIZE);
+    if film.turntable.is_some() {
+        return picture;
+    }
+    let corners = |state: &origami::State| -> Vec<[f32; 3]> {
+        let nodes = subject.model.mesh.triangles.iter().flatten();
+        nodes.filter_map(|n| state.positions.get(n.index())).map(|p| p.to_array().map(|x| x as f32)).collect()
+    };
+    let positions: Vec<[f32; 3]> = subject.states.iter().flat_map(|(_, state)| corners(state)).collect();
+    let triangles = (0..).step_by(3).map(|n| [n, n + 1, n + 2]).take(positions.len() / 3).collect();
+    artist.style.facing(&picture, &Figure { positions, triangles, ..Figure::default() })
 }

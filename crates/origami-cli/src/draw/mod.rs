@@ -5,6 +5,8 @@ mod absent;
 #[cfg(feature = "render")]
 mod artist;
 #[cfg(feature = "render")]
+mod beforehand;
+#[cfg(feature = "render")]
 mod contact;
 #[cfg(feature = "render")]
 mod film;
@@ -24,13 +26,15 @@ pub(crate) use absent::*;
 #[cfg(feature = "render")]
 pub(crate) use {
     artist::Artist,
+    beforehand::check_drawable,
     film::film,
-    formats::{pattern, sheet},
+    formats::{faulty_pattern, pattern, sheet},
     limits::{check_contact, check_film},
     orders::orders,
-    style::Style,
+    style::{Style, oddities},
 };
 
+use origami::glam::DVec3;
 use origami::{CreasePattern, Model, State};
 
 /// A folded sheet and the states that it went through.
@@ -41,6 +45,24 @@ pub(crate) struct Subject<'a> {
     pub(crate) model: &'a Model,
     /// With the percentage of each; at least one.
     pub(crate) states: &'a [(f64, &'a State)],
+}
+
+/// What is marked on a crease pattern.
+#[cfg_attr(not(feature = "render"), expect(dead_code, reason = "nothing draws"))]
+pub(crate) enum Faults<'a> {
+    /// Nothing.
+    None,
+    /// What is wrong with it as a pattern.
+    Found,
+    /// No sheet can be made of these lines.
+    Refused {
+        /// Why not, in one line.
+        why: &'a str,
+        /// Where a line ends that nothing else touches.
+        open_ends: &'a [DVec3],
+        /// What the reason names.
+        blamed: &'a [DVec3],
+    },
 }
 
 /// A film that is asked for.

@@ -2,30 +2,28 @@
 
 use std::io::Write;
 
-use origami::picture::{Figure, Glb, Image, Picture};
+use origami::picture::{Figure, Glb, Image, Marks, Picture};
 use origami::{CreasePattern, Error};
 
 use super::{Artist, Subject};
 
 /// Pixels of a picture of its own.
-const SIZE: [u32; 2] = [1000, 800];
+pub(super) const SIZE: [u32; 2] = [1000, 800];
 
 /// The last state as PNG.
 pub(super) fn png(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Write) -> Result<(), Error> {
     let Some(figure) = last(artist, subject) else { return Ok(()) };
     let picture = artist.style.picture(SIZE);
-    let view = picture.view(&figure, figure.positions.iter().copied())?;
+    let view = artist.style.view(&picture, &figure)?;
     artist.draw(&picture, &figure, &view)?.write_png(writer)
 }
 
 /// The figure of the last state.
 fn last(artist: &Artist, subject: Subject<'_>) -> Option<Figure> {
     let (_, state) = subject.states.last()?;
-    let mut figure = Figure::new(subject.pattern, subject.model, &state.positions);
     let only = [(0.0, *state)];
     let clip = artist.style.clip(Subject { states: &only, ..subject });
-    artist.style.mapped(&mut figure, subject, state, clip);
-    Some(figure)
+    Some(artist.style.figure(subject, state, clip))
 }
 
 /// A picture of the flat pattern.
@@ -41,15 +39,39 @@ pub(super) fn pattern_png(artist: &Artist, pattern: &CreasePattern, writer: &mut
     draw_pattern(artist, pattern, &artist.style.pattern(SIZE))?.write_png(writer)
 }
 
+/// The same with marks where something is wrong; `caption` is the line below where none was asked for.
+pub(super) fn marked_png(
+    artist: &Artist,
+    pattern: &CreasePattern,
+    (marks, caption): (&Marks, &str),
+    writer: &mut dyn Write,
+) -> Result<(), Error> {
+    refuse_bent(pattern)?;
+    let mut picture = artist.style.pattern(SIZE);
+    if picture.caption.is_empty() {
+        picture.caption = caption.to_owned();
+    }
+    let figure = Figure::of_pattern(pattern)?;
+    let view = marks.view(&picture, &figure)?;
+    let mut image = artist.draw(&picture, &figure, &view)?;
+    marks.draw(&mut image, &picture, &view, pattern);
+    image.write_png(writer)
+}
+
 /// The flat pattern as SVG.
-pub(super) fn svg(artist: &Artist, pattern: &CreasePattern, writer: &mut dyn Write) -> Result<(), Error> {
+pub(super) fn svg(
+    artist: &Artist,
+    pattern: &CreasePattern,
+    marks: &Marks,
+    writer: &mut dyn Write,
+) -> Result<(), Error> {
     refuse_bent(pattern)?;
     let Picture { theme, edges, width, height, .. } = artist.style.pattern(SIZE);
-    let svg = origami::picture::pattern::svg(pattern, &theme, edges, f64::from(width.max(height)));
+    let svg = origami::picture::pattern::svg_with(pattern, &theme, edges, f64::from(width.max(height)), marks);
     writer.write_all(svg.as_bytes()).map_err(|source| Error::Io { path: "-".into(), source })
 }
 
-fn refuse_bent(pattern: &CreasePattern) -> Result<(), Error> {
+pub(super) fn refuse_bent(pattern: &CreasePattern) -> Result<(), Error> {
     if pattern.is_flat() {
         return Ok(());
     }

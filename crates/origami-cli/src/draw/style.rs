@@ -1,11 +1,13 @@
 //! From the command line to what the library draws.
 
+use origami::Error;
 use origami::picture::{
-    Camera, ColourMap, Figure, LineSet, Map, Picture, Projection, Quantity, Rgb, Theme, map::round_up,
+    Camera, ColourMap, Figure, Frame, LineSet, Map, Picture, Projection, Quantity, Rgb, Theme, View, legend,
+    map::round_up, text,
 };
 
 use super::Subject;
-use crate::args::{CameraName, ColoursName, Ground, MapName, PictureArgs, ThemeName};
+use crate::args::{CameraName, ColoursName, Ground, MapName, PictureArgs, ShadingName, ThemeName};
 
 /// How pictures look.
 #[derive(Clone, Default)]
@@ -14,6 +16,10 @@ pub(crate) struct Style {
     size: Option<[u32; 2]>,
     edges: Option<LineSet>,
     mapping: Option<Mapping>,
+    /// Whether flat sheets are seen from their faces.
+    auto: bool,
+    /// Whether valleys and what lies under a flap are darker.
+    soft: bool,
 }
 
 /// The least value that a map's last colour stands for unless one is asked for: percent of strain, degrees.
@@ -46,7 +52,53 @@ impl Style {
             colours: args.colours.map_or(ColourMap::default(), ColourMap::from),
             clip: args.clip,
         });
-        Ok(Self { picture, size: args.size, edges: args.edges, mapping })
+        if args.shading == Some(ShadingName::None) {
+            picture.theme.shading = 0.0;
+        }
+        let auto = match args.camera {
+            None => args.azimuth.or(args.elevation).or(args.roll).is_none(),
+            Some(name) => name == CameraName::Auto,
+        };
+        let soft = matches!(args.shading, None | Some(ShadingName::Soft));
+        Ok(Self { picture, size: args.size, edges: args.edges, mapping, auto, soft })
+    }
+
+    /// The sheet in a state, with its shading and its map.
+    pub(super) fn figure(&self, subject: Subject<'_>, state: &origami::State, clip: Option<f64>) -> Figure {
+        let mut figure = Figure::new(subject.pattern, subject.model, &state.positions);
+        if self.soft {
+            figure.shade();
+        }
+        self.mapped(&mut figure, subject, state, clip);
+        figure
+    }
+
+    /// The figure in another state.
+    pub(super) fn move_to(&self, figure: &mut Figure, subject: Subject<'_>, state: &origami::State, clip: Option<f64>) {
+        figure.move_to(subject.model, &state.positions);
+        self.mapped(figure, subject, state, clip);
+    }
+
+    /// The picture with the camera that suits the figure, if none was asked for.
+    pub(super) fn facing(&self, picture: &Picture, figure: &Figure) -> Picture {
+        let Camera { zoom, projection, .. } = picture.camera;
+        let camera = if self.auto { Camera { zoom, projection, ..figure.camera() } } else { picture.camera };
+        Picture { camera, ..picture.clone() }
+    }
+
+    /// The view in which the figure fills the picture.
+    ///
+    /// # Errors
+    /// As for [`Picture::view`].
+    pub(super) fn view(&self, picture: &Picture, figure: &Figure) -> Result<View, Error> {
+        self.facing(picture, figure).view(figure, figure.positions.iter().copied())
+    }
+
+    /// How wide a colour bar beside several pictures of this size is, in pixels; `None` without one.
+    pub(super) fn bar_width(&self, size: [u32; 2]) -> Option<u32> {
+        let Picture { width, height, legend, .. } = self.picture(size);
+        let label = self.mapping?.quantity.label();
+        (legend && legend::fits(label, 2 * width, height)).then(|| legend::bar_width(label, width, height))
     }
 
     /// A picture of the sheet; `size` holds where none was asked for.
@@ -87,9 +139,41 @@ impl Style {
     }
 }
 
+/// What is odd about pictures that are asked for: what is left out of them or cannot be written in them.
+pub(crate) fn oddities(args: &PictureArgs) -> Vec<String> {
+    let mut oddities = Vec::new();
+    let missing = args.caption.as_deref().map(text::missing).unwrap_or_default();
+    if !missing.is_empty() {
+        oddities.push(format!("--caption: the font has no {}; drawn as boxes", quoted(&missing)));
+    }
+    if let (Some(quantity), Some([width, height]), false) = (args.quantity(), args.size, args.no_legend) {
+        if !legend::fits(Quantity::from(quantity).label(), width, height) {
+            oddities.push(format!(
+                "--size {width}x{height}: too narrow for a colour bar beside the sheet, which is left out"
+            ));
+        }
+    }
+    oddities
+}
+
+/// Each character by itself, with its number: not every terminal has them either.
+fn quoted(letters: &str) -> String {
+    const MOST: usize = 8;
+    let mut all: Vec<String> = letters
+        .chars()
+        .take(MOST)
+        .map(|letter| format!("{} (U+{:04X})", letter.escape_debug(), u32::from(letter)))
+        .collect();
+    let more = letters.chars().count().saturating_sub(MOST);
+    if more > 0 {
+        all.push(format!("{more} more"));
+    }
+    all.join(", ")
+}
+
 fn camera(args: &PictureArgs) -> Result<Camera, String> {
     let mut camera = match args.camera {
-        None | Some(CameraName::Default) => Camera::default(),
+        None | Some(CameraName::Auto | CameraName::Default) => Camera::default(),
         Some(CameraName::Top) => Camera::top(),
         Some(CameraName::Front) => Camera::front(),
         Some(CameraName::Isometric) => Camera::isometric(),
@@ -100,7 +184,7 @@ fn camera(args: &PictureArgs) -> Result<Camera, String> {
     camera.zoom = args.zoom.unwrap_or(camera.zoom);
     camera.projection = args.perspective.map_or(camera.projection, Projection::Perspective);
     // Tried on a point, so that nothing is folded for a camera that cannot be.
-    let frame = origami::picture::Frame { width: 100, height: 100, margins: [0.0; 4] };
+    let frame = Frame { width: 100, height: 100, margins: [0.0; 4] };
     let tried = camera.view([[0.0; 3], [1.0; 3]].into_iter(), &frame);
     tried.map(|_| camera).map_err(|error| error.to_string())
 }

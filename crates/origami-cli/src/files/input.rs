@@ -9,6 +9,7 @@ use origami::Error;
 use origami::fold::Document;
 
 use super::read::{self, Opened, Reading};
+use crate::nearest::nearest_file;
 
 /// Where a pattern comes from, and how it is read.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,6 +63,12 @@ impl Input {
     /// An error in it, as a person is told; those of the system name the file already.
     pub(crate) fn describe(&self, error: &Error) -> String {
         match error {
+            Error::Io { source, .. } if source.kind() == io::ErrorKind::NotFound => {
+                match self.file().filter(|path| !path.exists()).and_then(nearest_file) {
+                    Some(other) => format!("{error}; perhaps {other}"),
+                    None => error.to_string(),
+                }
+            }
             Error::Io { .. } => error.to_string(),
             _ => format!("{self}: {error}"),
         }

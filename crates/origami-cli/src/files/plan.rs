@@ -93,7 +93,6 @@ pub(crate) fn plan(inputs: &[Input], outputs: &[PathBuf], formats: &[Format]) ->
             }
         }
         refuse_equal_targets(&targets)?;
-        refuse_replaced_input(input, &targets)?;
         Ok(targets)
     };
     inputs.iter().map(targets).collect()
@@ -123,8 +122,13 @@ pub(crate) fn plan_drawing(
     if format == Format::Contact {
         refuse_other_than_png(option, path)?;
     }
-    refuse_missing_folder(path)?;
-    targets.push(Target { destination: Destination::new(path), format, folder: None });
+    // Pictures with numbers go into a folder of their own more often than not: it is made.
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir());
+    let folder = folder.filter(|_| format == Format::Film && Format::of(path) == Ok(Format::Png)).map(Path::to_owned);
+    if folder.is_none() {
+        refuse_missing_folder(path)?;
+    }
+    targets.push(Target { destination: Destination::new(path), format, folder });
     refuse_equal_targets(targets)
 }
 
@@ -185,14 +189,4 @@ fn refuse_equal_targets(targets: &[Target]) -> Result<(), String> {
         }
     }
     Ok(())
-}
-
-/// One file may be folded into itself where that is said; a whole folder of crease patterns is not lost that way.
-fn refuse_replaced_input(input: &Input, targets: &[Target]) -> Result<(), String> {
-    let Some(path) = input.file() else { return Ok(()) };
-    let input = Destination::File(path.to_owned());
-    match targets.iter().find(|target| target.folder.is_some() && target.destination.is(&input)) {
-        Some(_) => Err(format!("{input}: would be replaced by its folded form; expected another folder")),
-        None => Ok(()),
-    }
 }

@@ -17,7 +17,10 @@ pub(crate) struct Opened {
 /// How files are read.
 #[cfg(feature = "formats")]
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Reading(origami::formats::Options);
+pub(crate) struct Reading {
+    options: origami::formats::Options,
+    join: Option<f64>,
+}
 
 #[cfg(feature = "formats")]
 impl Reading {
@@ -27,16 +30,18 @@ impl Reading {
     /// What is wrong with them.
     pub(crate) fn new(args: &ReadingArgs) -> Result<Self, String> {
         let mut options = origami::formats::Options::default();
-        if let Some(colours) = &args.colours {
-            options.colours = colours.parse().map_err(|error: Error| format!("--{error}"))?;
+        if let Some(colours) = &args.letters {
+            options.colours =
+                colours.parse().map_err(|error: Error| error.to_string().replacen("colours", "--letters", 1))?;
         }
         options.curve_tolerance = args.curve_tolerance;
-        Ok(Self(options))
+        Ok(Self { options, join: args.join })
     }
 
     /// The document in `bytes`; `name` is the file's, where it has one.
     pub(super) fn document(&self, bytes: &[u8], name: Option<&Path>) -> Result<Opened, Error> {
-        let opened = origami::formats::open(bytes, name, &self.0)?;
+        let mut opened = origami::formats::open(bytes, name, &self.options)?;
+        opened.document.join = self.join;
         let packed = if opened.compressed { ", compressed by gzip" } else { "" };
         Ok(Opened { document: opened.document, format: format!("{}{packed}", opened.format) })
     }
@@ -51,16 +56,18 @@ pub(super) fn bytes_of(stream: impl Read) -> Result<io::Result<Vec<u8>>, Error> 
 /// How files are read.
 #[cfg(not(feature = "formats"))]
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Reading;
+pub(crate) struct Reading {
+    join: Option<f64>,
+}
 
 #[cfg(not(feature = "formats"))]
 impl Reading {
     /// Refuses what this build has not.
     pub(crate) fn new(args: &ReadingArgs) -> Result<Self, String> {
-        if *args != ReadingArgs::default() {
+        if args.letters.is_some() || args.curve_tolerance.is_some() {
             return Err("options of formats other than FOLD: this build has no feature `formats`".to_owned());
         }
-        Ok(Self)
+        Ok(Self { join: args.join })
     }
 
     /// The document in `bytes`, which are FOLD.
@@ -72,7 +79,9 @@ impl Reading {
             let problem = "is no FOLD file, and this build was made without the feature `formats`";
             return Err(Error::new(ErrorCode::NotAPattern, Place::key("the file"), problem, "FOLD, that is JSON"));
         }
-        Ok(Opened { document: Document::from_slice(bytes)?, format: "FOLD".to_owned() })
+        let mut document = Document::from_slice(bytes)?;
+        document.join = self.join;
+        Ok(Opened { document, format: "FOLD".to_owned() })
     }
 }
 

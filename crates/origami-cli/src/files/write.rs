@@ -61,10 +61,7 @@ impl Sheet<'_> {
 /// [`Error::Io`] where the system refuses.
 pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<Option<Warning>, Error> {
     let mut warning = None;
-    let Some(last) = sheet.states.last() else { return Ok(None) };
-    if let Some(folder) = &target.folder {
-        fs::create_dir_all(folder).map_err(|source| Error::Io { path: folder.display().to_string(), source })?;
-    }
+    make_folder(target)?;
     let states = sheet.states_of(target.format);
     let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
     match target.format {
@@ -78,10 +75,12 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<Option<Warning
         Format::Film => Ok(()),
         Format::Fold => write_document(&target.destination, &sheet.fold()?),
         Format::Obj => {
+            let Some(last) = sheet.states.last() else { return Ok(None) };
             let positions = sheet.model.file_positions(sheet.pattern, &last.state.positions);
             whole(&target.destination, |writer| write_obj(writer, sheet.pattern, &positions))
         }
         Format::Stl => {
+            let Some(last) = sheet.states.last() else { return Ok(None) };
             let points: Vec<_> = last.state.positions.iter().map(|p| sheet.model.normalisation.to_file(*p)).collect();
             let mesh = &sheet.model.mesh;
             let corners = |t: &TriangleId| mesh.triangles[t.index()].map(|n| n.0);
@@ -100,6 +99,15 @@ fn moved(from: DVec3) -> Warning {
     let why = "which its 32 bits cannot hold: it was moved to the origin";
     let problem = format!("the sheet lies around {} {} {}, {why}", plain(from.x), plain(from.y), plain(from.z));
     Warning::new(WarningCode::Fallback, "STL", problem)
+}
+
+/// Makes the folder that a file goes into, where one is to be made.
+///
+/// # Errors
+/// [`Error::Io`] where the system refuses.
+pub(crate) fn make_folder(target: &Target) -> Result<(), Error> {
+    let Some(folder) = &target.folder else { return Ok(()) };
+    fs::create_dir_all(folder).map_err(|source| Error::Io { path: folder.display().to_string(), source })
 }
 
 /// Writes a FOLD file, whole or not at all.

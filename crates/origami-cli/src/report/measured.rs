@@ -3,12 +3,12 @@
 use origami::measure::{Strain, Summary, angle_error};
 use origami::model::Model;
 use origami::solve::{Folded, Stop};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::numbers::percent_of;
 
 /// How a state was reached and what it is like. Numbers that are not known are null.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Measured {
     pub(crate) percent: f64,
     pub(crate) time_step: Option<f64>,
@@ -27,12 +27,14 @@ pub(crate) struct Measured {
 }
 
 /// Why a solver stopped.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Ending {
     Converged,
     StepsDone,
     StepLimit,
+    /// A triangle was crushed to a line.
+    Crushed,
     /// What computes gave up; in a sweep only.
     Failed,
     /// Also what holds of a state that no solver arrived at.
@@ -41,7 +43,7 @@ pub(crate) enum Ending {
 }
 
 /// Of absolute values.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(crate) struct Statistics {
     pub(crate) mean: f64,
     pub(crate) rms: f64,
@@ -49,7 +51,7 @@ pub(crate) struct Statistics {
 }
 
 /// By kind of spring.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(crate) struct Energy {
     beams: f64,
     creases: f64,
@@ -58,7 +60,7 @@ pub(crate) struct Energy {
 }
 
 /// In degrees.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(crate) struct AngleError {
     pub(crate) mean: f64,
     pub(crate) max: f64,
@@ -106,6 +108,7 @@ impl From<Stop> for Ending {
         match stop {
             Stop::Converged => Self::Converged,
             Stop::StepsDone => Self::StepsDone,
+            Stop::Crushed => Self::Crushed,
             // The command line breaks nothing off.
             _ => Self::StepLimit,
         }

@@ -12,10 +12,12 @@ pub(crate) use attitude::attitude;
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use note::Note;
 pub(crate) use scene::SceneFacts;
-pub(crate) use sweep::{Row, Table, Varied, write_csv, write_json};
+pub(crate) use sweep::{Asked, Head, Row, Table, Tail, Varied, csv_line, csv_names, json_begin, json_end, json_row};
+
+use std::borrow::Cow;
 
 use origami::solve::{Diverged, Quantity};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What one input came to.
 #[derive(Debug, Serialize)]
@@ -27,6 +29,9 @@ pub(crate) enum Report {
         input: String,
         /// The message.
         error: String,
+        /// What was written before.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        outputs: Vec<String>,
     },
     /// It was folded, well or not.
     Folded(Box<Run>),
@@ -68,12 +73,13 @@ pub(crate) struct Run {
 }
 
 /// Where and how a state left all bounds.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Divergence {
     vertex: u32,
-    step: u64,
-    quantity: &'static str,
-    value: f64,
+    pub(crate) step: u64,
+    quantity: Cow<'static, str>,
+    /// None is no number, or an infinite one.
+    value: Option<f64>,
 }
 
 impl From<&Diverged> for Divergence {
@@ -82,7 +88,8 @@ impl From<&Diverged> for Divergence {
             Quantity::Position => "position",
             _ => "move",
         };
-        Self { vertex: diverged.vertex.0, step: diverged.step, quantity, value: diverged.value }
+        let value = Some(diverged.value).filter(|value| value.is_finite());
+        Self { vertex: diverged.vertex.0, step: diverged.step, quantity: quantity.into(), value }
     }
 }
 

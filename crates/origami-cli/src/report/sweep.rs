@@ -1,18 +1,15 @@
 //! The tables of `origami sweep`: one row for each sheet, as JSON and as CSV.
 
-use std::io::Write;
-
-use origami::Error;
 use origami::model::Material;
 use origami::solve::Point;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::{Adapter, Divergence, Measured, SceneFacts, Seconds};
 
-/// All of sweep.json.
+/// What sweep.json begins with: all that a sweep goes on with must have been made with the same.
 #[derive(Debug, Serialize)]
-pub(crate) struct Table {
+pub(crate) struct Head {
     /// As named on the command line.
     pub(crate) input: String,
     /// `relax`, `dynamics` or `newton`.
@@ -27,16 +24,60 @@ pub(crate) struct Table {
     pub(crate) tolerance: f64,
     /// What keeps its place in the folded sheets.
     pub(crate) attitude: String,
+    /// What was asked for.
+    pub(crate) settings: Asked,
+}
+
+/// What was asked for besides.
+#[derive(Debug, Serialize)]
+pub(crate) struct Asked {
+    /// The program's.
+    pub(crate) version: &'static str,
+    /// A number that another pattern has not.
+    pub(crate) pattern: String,
+    /// How many sheets.
+    pub(crate) count: usize,
+    pub(crate) percents: Vec<f64>,
+    pub(crate) perturbations: Vec<f64>,
+    pub(crate) seeds: u64,
+    pub(crate) ea: Vec<f64>,
+    pub(crate) k_fold: Vec<f64>,
+    pub(crate) k_facet: Vec<f64>,
+    pub(crate) k_face: Vec<f64>,
+    pub(crate) zeta: Vec<f64>,
+    pub(crate) max_steps: u64,
+    pub(crate) steps: Option<u64>,
+    pub(crate) ramp: Option<u32>,
+    pub(crate) residual: Option<f64>,
+    /// `paper`, `safe` or a number.
+    pub(crate) time_step: String,
+    pub(crate) integrator: &'static str,
+    /// Formats of the folded sheets.
+    pub(crate) folded: Vec<&'static str>,
+}
+
+/// What sweep.json ends with.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct Tail<'a> {
+    /// Whether all sheets have a row.
+    pub(crate) complete: bool,
     /// What was built: materials differ in what they need.
-    pub(crate) scenes: Vec<SceneFacts>,
-    /// In the order in which they vary.
-    pub(crate) instances: Vec<Row>,
+    pub(crate) scenes: &'a [SceneFacts],
     /// How long each part took.
     pub(crate) seconds: Seconds,
 }
 
+/// All of it, for the line about it.
+#[derive(Debug)]
+pub(crate) struct Table {
+    pub(crate) head: Head,
+    /// In the order in which they vary.
+    pub(crate) instances: Vec<Row>,
+    pub(crate) seconds: Seconds,
+}
+
 /// What came of one sheet.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Row {
     pub(crate) index: usize,
     /// Its place in the table's scenes.
@@ -50,12 +91,12 @@ pub(crate) struct Row {
     /// Why what computes gave up.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) error: Option<String>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(crate) outputs: Vec<String>,
 }
 
 /// What varies, but for the percentage.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Varied {
     ea: f64,
     k_fold: f64,
@@ -108,16 +149,16 @@ const COLUMNS: [&str; 31] = [
     "scene",
 ];
 
-/// As CSV (RFC 4180): a line of names, then a line for each row; what is null or absent in JSON is empty.
-pub(crate) fn write_csv(writer: &mut dyn Write, rows: &[Row]) -> Result<(), Error> {
-    let io = |source| Error::Io { path: "-".to_owned(), source };
-    write!(writer, "{}\r\n", COLUMNS.join(",").replace('/', "_")).map_err(io)?;
-    for row in rows {
-        let row = serde_json::to_value(row).map_err(|error| io(error.into()))?;
-        let cells = COLUMNS.map(|column| cell(row.pointer(&format!("/{column}"))));
-        write!(writer, "{}\r\n", cells.join(",")).map_err(io)?;
-    }
-    Ok(())
+/// The line of names that a CSV table (RFC 4180) begins with.
+pub(crate) fn csv_names() -> String {
+    format!("{}\r\n", COLUMNS.join(",").replace('/', "_"))
+}
+
+/// A line of it: what is null or absent in JSON is empty.
+pub(crate) fn csv_line(row: &Row) -> serde_json::Result<String> {
+    let row = serde_json::to_value(row)?;
+    let cells = COLUMNS.map(|column| cell(row.pointer(&format!("/{column}"))));
+    Ok(format!("{}\r\n", cells.join(",")))
 }
 
 fn cell(value: Option<&Value>) -> String {
@@ -128,9 +169,21 @@ fn cell(value: Option<&Value>) -> String {
     }
 }
 
-/// As JSON.
-pub(crate) fn write_json(writer: &mut dyn Write, table: &Table) -> Result<(), Error> {
-    let io = |source| Error::Io { path: "-".to_owned(), source };
-    serde_json::to_writer_pretty(&mut *writer, table).map_err(|error| io(error.into()))?;
-    writer.write_all(b"\n").map_err(io)
+/// The JSON up to the rows, which follow.
+pub(crate) fn json_begin(head: &Head) -> serde_json::Result<String> {
+    let text = serde_json::to_string_pretty(head)?;
+    Ok(format!("{},\n  \"instances\": [", text.strip_suffix("\n}").unwrap_or(&text)))
+}
+
+/// A row, the first of all or not.
+pub(crate) fn json_row(row: &Row, is_first: bool) -> serde_json::Result<String> {
+    let text = serde_json::to_string_pretty(row)?.replace('\n', "\n    ");
+    Ok(format!("{}\n    {text}", if is_first { "" } else { "," }))
+}
+
+/// What follows the rows, if there are any.
+pub(crate) fn json_end(tail: Tail<'_>, has_rows: bool) -> serde_json::Result<String> {
+    let text = serde_json::to_string_pretty(&tail)?;
+    let text = text.strip_prefix("{\n").unwrap_or(&text);
+    Ok(format!("{}],\n{text}\n", if has_rows { "\n  " } else { "" }))
 }

@@ -49,11 +49,31 @@ fn one_run_writes_several_formats() {
 }
 
 #[test]
-fn the_input_may_be_the_output() {
+fn the_input_is_not_replaced_under_any_name() {
     let place = Place::new();
-    place.run("fold square.fold -o square.fold").succeeds();
-    assert_eq!(place.json("square.fold")["frame_classes"], json!(["foldedForm"]));
-    assert_eq!(place.names(), ["square.fold"]);
+    std::fs::hard_link(place.path("square.fold"), place.path("hard.fold")).unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("square.fold", place.path("link.obj")).unwrap();
+    std::fs::create_dir(place.path("sub")).unwrap();
+    for words in [
+        "fold square.fold -o square.fold",
+        "fold square.fold -o ./sub/../square.fold",
+        "fold hard.fold -o square.fold",
+        "fold square.fold -o a.obj -o link.obj",
+        "fold square.fold hard.fold -o ./",
+        "render square.fold -o a.svg -o link.obj",
+    ] {
+        let ran = place.run(words);
+        assert_eq!(ran.code, 1, "{words}");
+        let refused = "would be replaced by what is made from it; expected another file or folder";
+        assert!(ran.stderr.contains(refused) || ran.stderr.contains("ending in .png"), "{words}: {}", ran.stderr);
+        assert!(!place.has("a.obj") && !place.has("a.svg"));
+    }
+    place
+        .run("fold square.fold -o a.obj --report hard.fold")
+        .fails(1, "hard.fold: the report would overwrite an input");
+    assert_eq!(place.text("square.fold"), crate::place::SQUARE);
+    place.run("fold square.fold -o sub/square.fold --quiet").succeeds();
 }
 
 #[test]

@@ -126,9 +126,53 @@ mod present {
     #[test]
     fn left_alone_small_sheets_stay_on_the_processor() {
         let place = Place::new();
-        // No adapter is looked for, or the name would be refused.
-        place.run("fold square.fold --report r.json --quiet --adapter abacus").succeeds();
+        // No adapter is looked for, or the name would be told of: the environment's is meant for other runs too.
+        let words = "fold square.fold --report r.json --quiet";
+        let output = place.command().args(words.split(' ')).env("ORIGAMI_ADAPTER", "abacus").output().unwrap();
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
         assert_eq!(place.json("r.json")["backend"], json!("cpu"));
+    }
+
+    #[test]
+    fn a_misspelt_name_is_refused_whatever_the_size() {
+        let place = Place::new();
+        if adapters(&place).is_none() {
+            return;
+        }
+        for words in ["fold square.fold -o a.fold", "sweep square.fold -o out --backend auto"] {
+            let ran = place.run(&format!("{words} --adapter abacus"));
+            ran.fails(1, "error: --adapter: no GPU adapter is called abacus; expected part of one of these: ");
+            assert_eq!(place.names(), ["square.fold"]);
+        }
+    }
+
+    #[test]
+    fn numbers_beyond_f32_are_refused_by_the_name_of_their_option() {
+        let place = Place::new();
+        if adapters(&place).is_none() {
+            return;
+        }
+        for (options, name) in [
+            ("--ea 1e39", "--ea 1e39"),
+            ("--k-fold 1e300", "--k-fold 1e300"),
+            ("--k-face 1e-40", "--k-face 1e-40"),
+            ("--tolerance 1e-50", "--tolerance 1e-50"),
+            ("--solver dynamics --time-step 1e-60", "--time-step 1e-60"),
+        ] {
+            let ran = place.run(&format!("fold square.fold -o a.fold --backend gpu {options}"));
+            ran.fails(
+                1,
+                &format!("error: {name}: GPUs compute in f32, which is too narrow for it; expected 1e-30 to 1e30"),
+            );
+            assert_eq!(place.names(), ["square.fold"]);
+        }
+        let ran = place.run("sweep square.fold -o out --backend gpu --ea 20,1e39");
+        ran.fails(1, "error: --ea 1e39: GPUs compute in f32");
+        // Left alone, the processor takes them; nothing is nothing in any precision.
+        let ran = place.run("fold square.fold -o a.fold --steps 1 --report r.json --k-fold 1e39");
+        assert_eq!((ran.code, &place.json("r.json")["backend"]), (0, &json!("cpu")), "{}", ran.stderr);
+        let ran = place.run("fold square.fold -o a.fold --steps 1 --backend gpu --k-face 0");
+        assert_eq!(ran.code, 0, "{}", ran.stderr);
     }
 
     #[test]
@@ -159,7 +203,7 @@ mod present {
             );
         }
         let ran = place.run(&format!("{words} --adapter abacus"));
-        ran.fails(0, "warning: --backend auto: the processor, since no GPU adapter is called abacus; ");
+        ran.fails(1, "error: --adapter: no GPU adapter is called abacus; ");
     }
 
     /// The loaders of Vulkan and EGL on Linux look for drivers where these variables say.

@@ -54,5 +54,5 @@ fn tells_as_much_as_it_can_of_a_bad_file() {
 fn text_from_the_file_cannot_steer_the_terminal() {
     let place = Place::new();
     place.put("odd.fold", &SQUARE.replace("\"file_spec\": 1.2", r#""file_spec": 1.2, "file_title": "a\u001b[31mb""#));
-    assert!(place.run("info odd.fold").succeeds().contains("title       a [31mb"));
+    assert!(place.run("info odd.fold").succeeds().contains("title       a\\u{1b}[31mb"));
 }

@@ -56,6 +56,18 @@ mod present {
     }
 
     #[test]
+    fn the_step_limit_holds_for_it_too() {
+        let place = Place::new();
+        place.run("pattern miura -o square.fold").succeeds();
+        for limit in [0, 1, 100] {
+            let words = format!("fold square.fold --solver newton --max-steps {limit} -o a.obj --report r.json");
+            let ran = place.run(&words);
+            ran.fails(3, &format!("not converged at 100 % after {limit} steps: the largest force is "));
+            assert_eq!(place.json("r.json")["steps"], json!(limit));
+        }
+    }
+
+    #[test]
     fn what_it_does_not_take_is_told() {
         let place = Place::new();
         let ran = place.run("fold square.fold -o a.fold --solver newton --steps 5 --zeta 0.1 --adapter llvmpipe");

@@ -44,9 +44,9 @@ fn lengths_are_the_input_s_in_every_format() {
     };
     assert_eq!([0, 1, 2].map(|axis| extent(&corners, axis)), [10.0, 20.0, 0.0]);
     let numbers = |line: &str| line.split(' ').skip(1).map(|n| n.parse().unwrap()).collect::<Vec<f64>>();
-    let text = place.text("u.obj");
-    let obj: Vec<[f64; 3]> =
-        { text.lines().filter(|line| line.starts_with("v ")) }.map(|line| numbers(line).try_into().unwrap()).collect();
+    let obj = place.text("u.obj");
+    let obj = obj.lines().filter(|line| line.starts_with("v "));
+    let obj: Vec<[f64; 3]> = obj.map(|line| numbers(line).try_into().unwrap()).collect();
     assert_eq!([0, 1, 2].map(|axis| extent(&obj, axis)), [10.0, 20.0, 0.0]);
     if cfg!(feature = "render") {
         let glb = bytes(&place, "u.glb");

@@ -38,7 +38,7 @@ fn parameters_are_heard() {
 #[test]
 fn unknown_names_and_values_out_of_range_are_refused() {
     let place = Place::new();
-    place.run("pattern swan -o s.fold").fails(1, "error: pattern swan: there is none of this name; expected one of ");
+    place.run("pattern swan -o s.fold").fails(1, "error: swan: is not known; expected single-crease, ");
     place.run("pattern miura --set wings=2 -o s.fold").fails(1, "error: parameter wings: miura has none of this name");
     place.run("pattern miura --set columns=0 -o s.fold").fails(1, "error: parameter columns");
     place.run("pattern miura --set columns=2.5 -o s.fold").fails(1, "error: parameter columns");

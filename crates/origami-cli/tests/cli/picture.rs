@@ -315,7 +315,7 @@ mod present {
             ("fold square.fold --sheet a.png --frames 600", "--sheet: "),
             ("fold square.fold --sheet a.gif", "a.gif: expected a path ending in .png for --sheet"),
             ("fold square.fold --animate a.mp4 --frames 3", "a.mp4: no film is written as this"),
-            ("fold square.fold --animate film/a-.png --frames 2", "there is no folder film"),
+            ("fold square.fold --animate film/a.gif --frames 2", "there is no folder film"),
             ("fold square.fold other.fold --sheet a.png", "--sheet takes one input"),
             ("fold square.fold -o a.png --sheet ./a.png", "is named twice"),
             (

@@ -68,7 +68,7 @@ mod present {
         place.put("file", "");
         for (words, expected) in [
             ("study", "<STUDY>"),
-            ("study speed -o out", "accuracy, stability"),
+            ("study speed -o out", "accuracy or stability"),
             ("study accuracy square.fold", "--output"),
             ("study accuracy file -o out", "error: file: line 1: the file is empty"),
             ("study accuracy missing.fold -o out", "error: missing.fold: No such file"),
@@ -78,7 +78,7 @@ mod present {
             ("study accuracy square.fold -o -", "-: is no folder; expected one"),
             ("study accuracy square.fold -o file/out", "error: file/out: Not a directory"),
             ("study accuracy square.fold -o out --time-limit 0", "expected a finite number greater than 0"),
-            ("study accuracy square.fold -o out --backend auto", "cpu, gpu"),
+            ("study accuracy square.fold -o out --backend auto", "cpu or gpu"),
             ("study stability square.fold -o out", "square.fold: stability has scenes of its own; expected no pattern"),
         ] {
             let ran = place.run(words);

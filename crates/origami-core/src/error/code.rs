@@ -97,6 +97,8 @@ codes! {
         FaceNotSimple = "face-not-simple",
         /// The lines enclose no paper, and the file gives no faces.
         NoPaper = "no-paper",
+        /// The border does not close, and there is no one way to close it.
+        BorderOpen = "border-open",
         /// Lines cross so often that they cannot be told apart.
         LinesTooDense = "lines-too-dense",
         /// A setting or an argument of a call is out of range.
@@ -189,8 +191,34 @@ codes! {
         SinglePrecision = "single-precision",
         /// A sheet that came to rest strained.
         StrainedAtRest = "strained-at-rest",
+        /// A sheet that came to rest without strain, with a crease far from its angle.
+        CreaseOffTarget = "crease-off-target",
+        /// A crease that ends inside a face, and is far from its angle for it.
+        OpenCrease = "open-crease",
+        /// Triangles that were crushed to a line while the sheet was folded.
+        CrushedTriangle = "crushed-triangle",
         /// Something that was asked for is not to be had, and something else was taken.
         Fallback = "fallback",
+        /// An end that came near a line or another end, and was joined to it.
+        NearMissJoined = "near-miss-joined",
+        /// As `near-miss-joined`, where the border ends: the outline of the sheet has changed.
+        BorderJoined = "border-joined",
+        /// The border was open, and was closed by a straight line.
+        BorderClosed = "border-closed",
+        /// Lines lie outside all faces: there may have been paper.
+        PaperLost = "paper-lost",
+        /// Faces of the file contradict its lines; they were found anew.
+        FacesRepaired = "faces-repaired",
+        /// A crease lies in a hole of the sheet.
+        CreaseInHole = "crease-in-hole",
+        /// An end that comes near a line or another end, not near enough to be joined to it.
+        NearMiss = "near-miss",
+        /// Fold angles that may be in radians.
+        Radians = "radians",
+        /// A key that FOLD does not have and that is nearly one that it has.
+        UnknownKey = "unknown-key",
+        /// The frame that was taken is a folded form, and another one is a crease pattern.
+        OtherFrame = "other-frame",
     }
 }
 
@@ -225,7 +253,7 @@ mod tests {
              number-too-large nested-too-deeply no-such-frame frames-in-a-circle missing-key wrong-length \
              too-many-entries wrong-value not-finite no-such-vertex sheet-size \
              edge-without-length edge-twice edge-of-many-faces one-sided face-of-few-corners corner-twice \
-             face-without-area face-not-simple no-paper lines-too-dense setting"
+             face-without-area face-not-simple no-paper border-open lines-too-dense setting"
         );
         let warnings: Vec<&str> = WarningCode::ALL.iter().map(|code| code.name()).collect();
         assert_eq!(
@@ -236,7 +264,8 @@ mod tests {
              face-turned face-clockwise face-without-area thin-face missing-letters missing-angles tilted-plane \
              lower-case unknown-letter letter-on-contour boundary-inside boundary-cut closed-cut angle-on-boundary \
              null-angle angle-on-unassigned angle-on-flat angle-past-flat opposite-signs over-folding slivers \
-             single-precision strained-at-rest fallback"
+             single-precision strained-at-rest crease-off-target open-crease crushed-triangle fallback near-miss-joined border-joined \
+             border-closed paper-lost faces-repaired crease-in-hole near-miss radians unknown-key other-frame"
         );
     }
 }

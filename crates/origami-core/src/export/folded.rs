@@ -108,7 +108,8 @@ impl Template {
         let poses = poses.iter().enumerate().map(|(i, pose)| {
             check(pattern, pose)?;
             let mut folded = Frame { parent: Some(0), inherit: true, ..Frame::default() };
-            let title = pose.percent.map_or_else(|| format!("pose {}", i + 1), |percent| format!("{percent} %"));
+            let title =
+                pose.percent.map_or_else(|| format!("pose {}", i + 1), |percent| format!("{} %", rounded(percent)));
             folded.extra.insert("frame_title".into(), title.into());
             folded.extra.insert("frame_attributes".into(), attributes.clone());
             for key in [FOLD_ANGLE, PERCENT].into_iter().filter(|key| key_frame.extra.contains_key(*key)) {
@@ -124,6 +125,11 @@ impl Template {
         document.frames = frames;
         Ok(document)
     }
+}
+
+/// To the six digits that a title has; `origami:percent` has all.
+fn rounded(percent: f64) -> f64 {
+    format!("{percent:.5e}").parse().unwrap_or(percent)
 }
 
 /// A new FOLD document of `pattern`, with two coordinates a vertex where all z are 0.

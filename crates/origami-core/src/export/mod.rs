@@ -13,7 +13,7 @@ mod template;
 mod texture;
 
 #[cfg(feature = "files")]
-pub use atomic::write_whole;
+pub use atomic::{check_writable, remove_unfinished, write_whole};
 pub use folded::{Pose, animation, crease_pattern_document, folded_form};
 pub use obj::write_obj;
 pub use stl::write_stl;

@@ -20,6 +20,9 @@ pub struct Document {
     pub key_frame: Frame,
     /// `file_frames`: frame `i + 1` is `frames[i]`.
     pub frames: Vec<Frame>,
+    /// The distance within which lines are joined when a pattern is made of a frame, in the file's unit of length; `None`:
+    /// found from the file. Not written.
+    pub join: Option<f64>,
     /// Oddities that the reader put right, such as keys by their FOLD 1.0 name. Not written.
     pub warnings: Vec<Warning>,
 }

@@ -3,7 +3,10 @@
 use std::borrow::Cow;
 
 use super::{Document, Frame, keys};
-use crate::error::{Error, ErrorCode, Place};
+use crate::error::{Error, ErrorCode, Place, Warning, WarningCode};
+
+const FOLDED_FORM: &str = "foldedForm";
+const CREASE_PATTERN: &str = "creasePattern";
 
 impl Document {
     /// How many frames there are, the key frame included.
@@ -56,28 +59,71 @@ impl Document {
     }
 
     /// The frame to fold unless another is asked for: the first, key frame first, that has `vertices_coords`, its own
-    /// or inherited.
+    /// or inherited. Where that one is a folded form, the first crease pattern is taken instead, if there is one.
     ///
     /// # Errors
     /// [`Error::Invalid`] if there is none.
     pub fn pattern_frame(&self) -> Result<usize, Error> {
-        // Frames known to lead to no coordinates. Each is visited once, so circles end too.
-        let mut barren = vec![false; self.frame_count()];
+        let placed = self.placed_frames();
+        let Some(&first) = placed.first() else {
+            let place = Place::key(keys::VERTICES_COORDS);
+            return Err(Error::new(
+                ErrorCode::MissingKey,
+                place,
+                "no frame has this key",
+                "the positions of the vertices",
+            ));
+        };
+        if self.is_of_class(first, FOLDED_FORM) && !self.is_of_class(first, CREASE_PATTERN) {
+            let pattern = placed.into_iter().find(|&frame| self.is_of_class(frame, CREASE_PATTERN));
+            return Ok(pattern.unwrap_or(first));
+        }
+        Ok(first)
+    }
+
+    /// A warning where the frame to fold is not the first.
+    pub(super) fn other_frame(&self) -> Option<Warning> {
+        let first = *self.placed_frames().first()?;
+        let taken = self.pattern_frame().ok()?;
+        let message =
+            format!("is a foldedForm; frame {taken} is a creasePattern, and taken unless another is asked for");
+        (taken != first).then(|| Warning::new(WarningCode::OtherFrame, Place::Frame(first), message))
+    }
+
+    /// The frames that have `vertices_coords`, their own or inherited.
+    fn placed_frames(&self) -> Vec<usize> {
+        // What is known of each frame. Each is visited once, so circles end too.
+        let mut placed: Vec<Option<bool>> = vec![None; self.frame_count()];
         for index in 0..self.frame_count() {
-            let mut at = Some(index);
+            let (mut chain, mut at, mut has) = (Vec::new(), Some(index), false);
             while let Some(current) = at {
                 let Some(frame) = self.written_frame(current) else { break };
-                if frame.vertices_coords.is_some() {
-                    return Ok(index);
-                }
-                if std::mem::replace(&mut barren[current], true) {
+                has = frame.vertices_coords.is_some() || placed[current] == Some(true);
+                if has || placed[current].is_some() {
                     break;
                 }
+                placed[current] = Some(false);
+                chain.push(current);
                 at = self.parent(current);
             }
+            placed[index] = Some(has);
+            chain.into_iter().for_each(|frame| placed[frame] = Some(has));
         }
-        let place = Place::key(keys::VERTICES_COORDS);
-        Err(Error::new(ErrorCode::MissingKey, place, "no frame has this key", "the positions of the vertices"))
+        (0..self.frame_count()).filter(|&frame| placed[frame] == Some(true)).collect()
+    }
+
+    /// Whether a frame has this class, its own or inherited.
+    fn is_of_class(&self, index: usize, class: &str) -> bool {
+        let mut at = Some(index);
+        // A chain longer than there are frames is a circle.
+        for _ in 0..self.frame_count() {
+            let Some(frame) = at.and_then(|at| self.written_frame(at)) else { return false };
+            if let Some(classes) = &frame.classes {
+                return classes.iter().any(|one| one == class);
+            }
+            at = at.and_then(|at| self.parent(at));
+        }
+        false
     }
 
     fn written_frame(&self, index: usize) -> Option<&Frame> {

@@ -9,6 +9,7 @@ mod deserialize;
 mod document;
 mod frames;
 mod keys;
+mod near_keys;
 mod read;
 mod visitors;
 mod write;

@@ -8,7 +8,7 @@ use serde::de::{DeserializeSeed, Deserializer, MapAccess, Visitor};
 
 use super::deserialize::{Any, Finite, Index, Items, Letter, Optional, Pair, Point, Twice};
 use super::keys::*;
-use super::{Document, Frame};
+use super::{Document, Frame, near_keys};
 use crate::error::{Place, Warning, WarningCode};
 
 const STRINGS: Items<PhantomData<String>> = Items { expected: "an array of strings", item: PhantomData };
@@ -54,6 +54,10 @@ impl<'de> Visitor<'de> for Top {
         }
         document.key_frame = key_frame.settle(0, &mut document.warnings);
         document.frames = (1..).zip(frames).map(|(index, frame)| frame.settle(index, &mut document.warnings)).collect();
+        for key in document.metadata.keys() {
+            document.warnings.extend(unknown(key, None));
+        }
+        document.warnings.extend(document.other_frame());
         Ok(document)
     }
 }
@@ -149,6 +153,9 @@ impl RawFrame {
             };
             warnings.push(Warning::new(WarningCode::OldKey, place(EDGES_FOLD_ANGLES), message));
         }
+        for key in frame.extra.keys() {
+            warnings.extend(unknown(key, Some(index)));
+        }
         if frame.inherit && index == 0 {
             let message = "the key frame has no parent; ignored";
             warnings.push(Warning::new(WarningCode::KeyFrameInherits, place(FRAME_INHERIT), message));
@@ -158,4 +165,15 @@ impl RawFrame {
         }
         frame
     }
+}
+
+/// A warning of a key that was meant to be another one.
+fn unknown(key: &str, frame: Option<usize>) -> Option<Warning> {
+    let meant = near_keys::meant(key)?;
+    // A terminal should not obey it.
+    let shown: String = key.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect();
+    let place = Place::key(shown);
+    let place = frame.map_or(place.clone(), |frame| place.in_frame(frame));
+    let message = format!("is no key of FOLD and was not read; is {meant} meant?");
+    Some(Warning::new(WarningCode::UnknownKey, place, message))
 }

@@ -116,9 +116,7 @@ impl SheetBuilder {
             vertices: self.vertices,
             edges: self.edges,
             faces: self.faces,
-            fixed: Vec::new(),
-            warnings: Vec::new(),
-            sources: Vec::new(),
+            ..CreasePattern::default()
         }
     }
 }
@@ -183,7 +181,10 @@ pub(super) fn room(names: &str, sides: [usize; 2], vertices_each: usize) -> Resu
         Some(vertices) if vertices <= MAX_VERTICES => Ok(()),
         _ => Err(Error::invalid(
             format!("parameter {names}"),
-            format!("are {} and {}, too large a sheet", sides[0], sides[1]),
+            match names.contains(',') {
+                true => format!("are {} and {}, too large a sheet", sides[0], sides[1]),
+                false => format!("is {}, too large a sheet", sides[0]),
+            },
             format!("at most {MAX_VERTICES} vertices"),
         )),
     }

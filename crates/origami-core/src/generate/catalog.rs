@@ -269,16 +269,22 @@ const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "hypar",
-        summary: "concentric pleated squares",
+        summary: "concentric pleated squares, which fold into a saddle",
         parameters: &[
             parameter("rings", 8.0, "squares, the border among them"),
             parameter("size", 2.0, "side of the sheet"),
             parameter("angle", 90.0, "how far the creases fold, above 0 to 180 degrees"),
             parameter("free_facets", 0.0, "1 for facet diagonals without springs"),
+            parameter(
+                "alternating",
+                1.0,
+                "0 for facet diagonals that all turn the same way: its corners stay in a plane",
+            ),
         ],
         make: |v| {
-            let (size, angle, free_facets) = (v.number("size"), v.angle("angle"), v.flag("free_facets")?);
-            Hypar { rings: v.count("rings")?, size, angle, free_facets }.pattern()
+            let (rings, size, angle) = (v.count("rings")?, v.number("size"), v.angle("angle"));
+            let (free_facets, alternating) = (v.flag("free_facets")?, v.flag("alternating")?);
+            Hypar { rings, size, angle, free_facets, alternating }.pattern()
         },
     },
     Entry {
@@ -390,6 +396,7 @@ mod tests {
                 let value = match known.default {
                     0.0 => 1.0,
                     _ if known.name == "valence" => 8.0,
+                    _ if known.name == "alternating" => 0.0,
                     default if default.fract() != 0.0 => default * 0.9,
                     default if default > 10.0 => default - 1.0,
                     default => default + 1.0,
@@ -436,7 +443,7 @@ mod tests {
         let error = generate("hypar", &[("ring".into(), 3.0)]).unwrap_err().to_string();
         assert_eq!(
             error,
-            "parameter ring: hypar has none of this name; expected one of rings, size, angle, free_facets"
+            "parameter ring: hypar has none of this name; expected one of rings, size, angle, free_facets, alternating"
         );
         let error = generate("hypar", &[("rings".into(), 2.5)]).unwrap_err().to_string();
         assert!(error.starts_with("parameter rings: is 2.5; expected a whole number"), "{error}");

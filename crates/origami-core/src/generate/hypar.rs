@@ -9,7 +9,9 @@ use crate::pattern::CreasePattern;
 
 /// Concentric squares, alternately mountain and valley, and the two diagonals, each piece lettered as the square at its
 /// inner end. Flat trapezoids cannot fold so at all (Demaine, Demaine, Hart, Price and Tachi, (Non)existence of pleated
-/// folds, 2011); here each is split by a diagonal, and the sheet folds with strain.
+/// folds, 2011); here each is split by a diagonal, and the sheet folds with strain. With diagonals that alternate, as
+/// theirs do, it takes the shape that it is named after; with diagonals that all turn the same way its corners stay in one
+/// plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hypar {
     /// Squares, the border among them. Default 8.
@@ -21,11 +23,14 @@ pub struct Hypar {
     /// Whether the diagonals of the trapezoids are hinges without a spring (`U`) and not facet creases (`F`).
     /// Default false.
     pub free_facets: bool,
+    /// Whether diagonals run the other way from each trapezoid to the next, around a square and from square to square.
+    /// Default true.
+    pub alternating: bool,
 }
 
 impl Default for Hypar {
     fn default() -> Self {
-        Self { rings: 8, size: 2.0, angle: FRAC_PI_2, free_facets: false }
+        Self { rings: 8, size: 2.0, angle: FRAC_PI_2, free_facets: false, alternating: true }
     }
 }
 
@@ -50,7 +55,8 @@ impl Hypar {
             for side in 0..4 {
                 let next = (side + 1) % 4;
                 let [a, b, c, d] = [outer[side], outer[next], inner[next], inner[side]];
-                self.facet(&mut sheet, [a, b, c, d]);
+                let turned = self.alternating && (side + k) % 2 == 0;
+                self.facet(&mut sheet, [a, b, c, d], turned);
                 sheet.crease(a, b, sign * self.angle);
                 sheet.crease(a, d, -sign * self.angle);
             }
@@ -59,14 +65,17 @@ impl Hypar {
         Ok(sheet.finish())
     }
 
-    /// A trapezoid, or, in the middle, a triangle.
-    fn facet(&self, sheet: &mut SheetBuilder, [a, b, c, d]: [VertexId; 4]) {
-        sheet.face(&[a, b, c]);
-        if c != d {
-            sheet.face(&[a, c, d]);
-            if self.free_facets {
-                sheet.free(a, c);
-            }
+    /// A trapezoid, or, in the middle, a triangle. Its diagonal begins at `a`, or, `turned`, at `b`.
+    fn facet(&self, sheet: &mut SheetBuilder, [a, b, c, d]: [VertexId; 4], turned: bool) {
+        if c == d {
+            sheet.face(&[a, b, c]);
+            return;
+        }
+        let (faces, diagonal) =
+            if turned { ([[a, b, d], [b, c, d]], [b, d]) } else { ([[a, b, c], [a, c, d]], [a, c]) };
+        faces.iter().for_each(|face| sheet.face(face));
+        if self.free_facets {
+            sheet.free(diagonal[0], diagonal[1]);
         }
     }
 }
@@ -103,6 +112,26 @@ mod tests {
                 let expected = if square % 2.0 == 1.0 { Assignment::Valley } else { Assignment::Mountain };
                 assert_eq!(edge.assignment, expected);
             }
+        }
+    }
+
+    /// Every corner of a square has diagonals to both sides of it, or none: inwards and outwards alike.
+    #[test]
+    fn diagonals_alternate() {
+        let ends = |alternating: bool| {
+            let pattern = Hypar { rings: 6, alternating, ..Hypar::default() }.pattern().unwrap();
+            check::sound_and_flat(&pattern, 1);
+            let mut ends = vec![0; pattern.vertices.len()];
+            let flat = pattern.edges.iter().filter(|edge| edge.assignment == Assignment::Flat);
+            flat.for_each(|edge| edge.vertices.iter().for_each(|v| ends[v.index()] += 1));
+            ends
+        };
+        // Corners of squares 2 to 5: next to the middle and at the border there is nothing on one side.
+        assert!(ends(false)[5..21].iter().all(|count| *count == 2), "{:?}", ends(false));
+        let alternating = ends(true);
+        for (place, count) in alternating.iter().enumerate().skip(5).take(16) {
+            let [square, corner] = [(place - 1) / 4 + 1, (place - 1) % 4];
+            assert_eq!(*count, if (square + corner) % 2 == 1 { 4 } else { 0 }, "corner {corner} of square {square}");
         }
     }
 

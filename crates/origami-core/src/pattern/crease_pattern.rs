@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::joins::Join;
 use super::plane::{extent, is_flat};
 use crate::error::Warning;
 use crate::ids::{EdgeId, VertexId};
@@ -75,6 +76,10 @@ pub struct CreasePattern {
     pub vertices_in_file: usize,
     /// How many edges the file has; later ones were added.
     pub edges_in_file: usize,
+    /// Near misses of the file that were joined.
+    pub joins: Vec<Join>,
+    /// Area that the file's lines span and the faces do not: see [`Paper::lost`](super::Paper::lost).
+    pub lost_area: f64,
     /// Oddities of the file that were put right.
     pub warnings: Vec<Warning>,
     /// For each edge where it was written in a file of another format, such as `line 12`; empty where nothing says it.

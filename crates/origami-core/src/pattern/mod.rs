@@ -6,11 +6,18 @@ mod check;
 mod clean;
 mod crease_pattern;
 mod dihedral;
+mod hull;
+pub(crate) mod joins;
 pub mod keys;
+mod paper;
 pub(crate) mod plane;
 pub(crate) mod point_grid;
 mod read;
+mod reading;
 pub(crate) mod region;
 
 pub use crease_pattern::{Assignment, CreasePattern, PatternEdge};
 pub use dihedral::fold_angle;
+pub use joins::{Join, JoinedTo};
+pub use paper::Paper;
+pub use reading::Reading;

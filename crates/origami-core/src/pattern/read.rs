@@ -2,6 +2,7 @@
 
 use super::clean;
 use super::crease_pattern::CreasePattern;
+use super::reading::Reading;
 use crate::error::Error;
 use crate::fold::{Document, Frame};
 
@@ -23,7 +24,15 @@ impl CreasePattern {
     /// [`Error::Invalid`] for what has no sensible reading: arrays of unequal length, indices out of range, edges of no
     /// length, edges of three faces, a sheet that cannot be oriented, no faces at all.
     pub fn from_frame(frame: &Frame) -> Result<Self, Error> {
-        clean::pattern(frame)
+        Self::from_frame_with(frame, &Reading::default())
+    }
+
+    /// As [`from_frame`](Self::from_frame), where the caller knows more than the file does.
+    ///
+    /// # Errors
+    /// As for [`from_frame`](Self::from_frame), and [`Error::Invalid`] for a distance that is none.
+    pub fn from_frame_with(frame: &Frame, reading: &Reading) -> Result<Self, Error> {
+        clean::pattern(frame, reading)
     }
 
     /// The crease pattern in the first frame of a FOLD file that has vertex positions. Needs the feature `files`.
@@ -44,7 +53,8 @@ impl CreasePattern {
     /// # Errors
     /// As for [`Document::frame`] and [`CreasePattern::from_frame`].
     pub fn from_document(document: &Document, frame: usize) -> Result<Self, Error> {
-        let mut pattern = Self::from_frame(&*document.resolved(frame)?)?;
+        let reading = Reading::joining(document.join);
+        let mut pattern = Self::from_frame_with(&*document.resolved(frame)?, &reading)?;
         pattern.warnings.splice(0..0, document.warnings.iter().cloned());
         Ok(pattern)
     }

@@ -209,7 +209,7 @@ impl Engine for CpuEngine {
         let Self { model, start, threads, stepper, .. } = self;
         let origin = (&**model, &*start);
         either!(stepper, stepper => {
-            let limit = Limit { steps: stepper.steps + steps, all: !until_settled };
+            let limit = Limit { steps: stepper.steps + steps, all: !until_settled, crushed: None };
             in_pool(*threads, || stepper.run(origin, limit, &mut unwatched))?;
         });
         Ok(self.report())

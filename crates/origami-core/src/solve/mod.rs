@@ -10,6 +10,7 @@
 
 mod bare_kernel;
 mod clock;
+mod crushed;
 mod driver;
 pub mod dynamics;
 mod engine;
@@ -40,6 +41,7 @@ pub mod time_step;
 
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
+pub use crushed::{CRUSHED, crushed_triangles};
 pub use driver::{Folded, Instance, Progress, Session, Solver, Stop, unwatched};
 pub use dynamics::Dynamics;
 pub use engine::{CpuEngine, Engine, Method, Report};

@@ -5,12 +5,15 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::crushed::is_crushed;
 use super::fire::Minimiser;
+use super::largest::largest;
 use super::perturb::perturb;
 use super::ramp::Ramp;
 use super::stepper::{Limit, Mover, Stepper};
 use super::threads::{count, share};
 use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, Session, Solver, State, Stop};
+use crate::forces::Forces;
 use crate::kernel::Compute;
 use crate::model::{Inventory, Model};
 use crate::scene::{Held, Needs, Refusal, Scene};
@@ -22,13 +25,16 @@ const RAMP: f64 = 400.0;
 const SECOND_RAMP: f64 = 3000.0;
 /// A second attempt's ramp is longer than the first one's by this at least.
 const LONGER_RAMP: u32 = 3;
+/// Ramps for which an attempt goes on at the final targets with a triangle crushed: one may open again.
+const CRUSHED_RAMPS: u64 = 10;
 /// The shortest ramp that is taken by itself.
 const SHORTEST_RAMP: u32 = 100;
 
 /// FIRE on row-sum masses while the target angles rise continuously; the default solver.
 ///
 /// A state that ends tangled is folded once more over a longer ramp, then in a jump, and the one of lowest energy is
-/// kept. Nothing promises that it is the only equilibrium: folding is path dependent.
+/// kept. So is one with a triangle crushed to a line, or out of bounds: once without the perturbation, then in a jump; one
+/// without a crushed triangle is kept before one with, whatever their energies. Nothing promises that it is the only equilibrium: folding is path dependent.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Relax {
@@ -42,7 +48,8 @@ pub struct Relax {
     pub max_steps: u64,
     /// Run exactly so many evaluations instead, in one attempt. Default: until it has converged.
     pub steps: Option<u64>,
-    /// Whether a tangled state is folded again, over a longer ramp and then in a jump. Default true.
+    /// Whether a state that is tangled, has a triangle crushed or left all bounds is folded again in other ways. Default
+    /// true.
     pub retry: bool,
     /// How far each node is moved at the start, as a share of its shortest beam, so that a symmetric sheet does not stay
     /// on the saddle between two ways to buckle; nothing moves where nothing is to be folded. Larger: saddles are left
@@ -112,16 +119,88 @@ pub struct Attempt {
     pub ramp: u32,
     /// Evaluations after which it ends.
     pub limit: u64,
+    /// Whether it begins off every symmetry, as [`Relax::perturbation`] says.
+    pub perturbed: bool,
 }
 
-/// The state of lower energy of two that are asked for the same, with the steps of both; `other` came of attempt `number`.
+impl Attempt {
+    /// The settings with which it begins.
+    #[must_use]
+    pub fn settings(self, relax: &Relax) -> Relax {
+        Relax { perturbation: if self.perturbed { relax.perturbation } else { 0.0 }, ..relax.clone() }
+    }
+}
+
+/// The better of two states that are asked for the same, with the steps of both: one without crushed triangles, else the
+/// one of lower energy; `other` came of attempt `number`. A state at hand is finite: another way that diverges does not take
+/// it away.
+///
+/// # Errors
+/// The first, where both ways diverge.
+#[doc(hidden)]
+pub fn better(
+    (model, scene): (&Model, &Scene),
+    kept: Result<Folded, Failed>,
+    other: Result<Folded, Failed>,
+    number: u32,
+) -> Result<Folded, Failed> {
+    let steps = steps_of(&kept);
+    match (kept, other) {
+        (Ok(kept), Ok(other)) => {
+            let steps = steps + other.steps;
+            let rank = |folded: &Folded| {
+                (is_crushed(model, &folded.state.positions), folded.state.energy_in(model, scene).total())
+            };
+            let other_is_better = rank(&other) < rank(&kept);
+            Ok(Folded { steps, attempts: number, ..if other_is_better { other } else { kept } })
+        }
+        (Err(Failed::Diverged(_)), Ok(other)) => Ok(Folded { steps: steps + other.steps, attempts: number, ..other }),
+        (kept, _) => kept,
+    }
+}
+
+/// What a sheet that no way holds came to: where a triangle was crushed before it left all bounds, the last good state, since
+/// that is why.
+///
+/// # Errors
+/// As `result`, where nothing was crushed.
+#[doc(hidden)]
+pub fn or_crushed(
+    (model, scene): (&Model, &Scene),
+    result: Result<Folded, Failed>,
+    attempts: u32,
+) -> Result<Folded, Failed> {
+    let diverged = match result {
+        Err(Failed::Diverged(diverged)) if is_crushed(model, &diverged.last_good.positions) => diverged,
+        other => return other,
+    };
+    let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, &diverged.last_good))?;
+    let velocities = vec![DVec3::ZERO; model.node_count()];
+    let mut state = State { targets, velocities, ..*diverged.last_good };
+    let mut forces = Forces::in_scene(model, scene);
+    let residual = largest(forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles));
+    Ok(Folded {
+        state,
+        targets: scene.targets.clone(),
+        stop: Stop::Crushed,
+        steps: diverged.step,
+        time_step: 0.0,
+        residual,
+        distance: f64::INFINITY,
+        attempts,
+        reactions: forces.reactions().to_vec(),
+    })
+}
+
+/// How many steps the ways took that led here.
 #[doc(hidden)]
 #[must_use]
-pub fn lower(model: &Model, scene: &Scene, kept: Folded, other: Folded, number: u32) -> Folded {
-    let steps = kept.steps + other.steps;
-    let energy = |folded: &Folded| folded.state.energy_in(model, scene).total();
-    let other_is_lower = energy(&other) < energy(&kept);
-    Folded { steps, attempts: number, ..if other_is_lower { other } else { kept } }
+pub fn steps_of(result: &Result<Folded, Failed>) -> u64 {
+    match result {
+        Ok(folded) => folded.steps,
+        Err(Failed::Diverged(diverged)) => diverged.step,
+        Err(_) => 0,
+    }
 }
 
 impl Solver for Relax {
@@ -190,7 +269,10 @@ impl Relax {
         Ok(())
     }
 
-    fn retries(&self) -> bool {
+    /// Whether more than one way is tried.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn retries(&self) -> bool {
         self.retry && self.steps.is_none()
     }
 
@@ -199,24 +281,42 @@ impl Relax {
     #[must_use]
     pub fn first_attempt(&self, model: &Model, start: &State, targets: &[f64]) -> Attempt {
         let ramp = self.ramp.unwrap_or_else(|| ramp_between(model, start.targets.iter().copied(), targets));
-        Attempt { number: 1, ramp, limit: self.steps.unwrap_or(self.max_steps) }
+        Attempt { number: 1, ramp, limit: self.steps.unwrap_or(self.max_steps), perturbed: true }
     }
 
-    /// The way to be tried after `last`, where the best state so far, `kept`, is tangled: a longer ramp, then a jump.
+    /// The way to be tried after `last`, where the best state so far, `kept`, is tangled: a longer ramp, then a jump. Where it
+    /// has a triangle crushed or there is none, since the sheet left all bounds: without the perturbation, then a jump.
     #[doc(hidden)]
     #[must_use]
-    pub fn next_attempt(&self, model: &Model, start: &State, last: Attempt, kept: &Folded) -> Option<Attempt> {
-        let limit = self.steps.unwrap_or(self.max_steps).saturating_sub(kept.steps);
-        let wanted = self.retries() && limit > 0 && kept.stop != Stop::Cancelled;
-        if !wanted || kept.state.tangled_creases() == 0 || start.tangled_creases() > 0 {
+    pub fn next_attempt(
+        &self,
+        model: &Model,
+        start: &State,
+        last: Attempt,
+        kept: &Result<Folded, Failed>,
+    ) -> Option<Attempt> {
+        let limit = self.steps.unwrap_or(self.max_steps).saturating_sub(steps_of(kept));
+        if !self.retries() || limit == 0 {
             return None;
         }
-        let ramp = match last.number {
-            1 => last.ramp.saturating_mul(LONGER_RAMP).max(grown(SECOND_RAMP, model)),
-            2 => 0,
+        let tangled = match kept {
+            Ok(kept) if kept.stop == Stop::Cancelled => return None,
+            Ok(kept) if kept.state.tangled_creases() > 0 => true,
+            Ok(kept) if is_crushed(model, &kept.state.positions) => false,
+            Err(Failed::Diverged(_)) => false,
             _ => return None,
         };
-        Some(Attempt { number: last.number + 1, ramp, limit })
+        if if tangled { start.tangled_creases() > 0 } else { is_crushed(model, &start.positions) } {
+            return None;
+        }
+        let longer = last.ramp.saturating_mul(LONGER_RAMP).max(grown(SECOND_RAMP, model));
+        let (ramp, perturbed) = match last.number {
+            1 if tangled || self.perturbation == 0.0 => (longer, true),
+            1 => (last.ramp, false),
+            2 => (0, true),
+            _ => return None,
+        };
+        Some(Attempt { number: last.number + 1, ramp, limit, perturbed })
     }
 
     /// Where an attempt begins: at rest, and off every symmetry where there is something to be folded.
@@ -276,34 +376,33 @@ impl Run<'_> {
     ) -> Result<Folded, Failed> {
         let Self { relax, model, start, scene } = *self;
         let mut attempt = relax.first_attempt(model, start, &self.targets()?);
-        let mut kept = self.attempt::<R>(attempt, threads, observe)?;
+        let mut kept = self.attempt::<R>(attempt, threads, observe);
         while let Some(next) = relax.next_attempt(model, start, attempt, &kept) {
             attempt = next;
-            let so_far = kept.steps;
+            let so_far = steps_of(&kept);
             let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
-            // The state at hand is finite: another way that diverges does not take it away.
-            if let Ok(other) = self.attempt::<R>(attempt, threads, &mut observe) {
-                let stop = other.stop;
-                kept = lower(model, scene, kept, other, attempt.number);
-                if stop == Stop::Cancelled {
-                    return Ok(Folded { stop, ..kept });
-                }
+            let other = self.attempt::<R>(attempt, threads, &mut observe);
+            let cancelled = other.as_ref().is_ok_and(|other| other.stop == Stop::Cancelled);
+            kept = better((model, scene), kept, other, attempt.number);
+            if cancelled {
+                return kept.map(|kept| Folded { stop: Stop::Cancelled, ..kept });
             }
         }
-        Ok(kept)
+        if relax.retries() { or_crushed((model, scene), kept, attempt.number) } else { kept }
     }
 
     fn attempt<R: Compute>(
         &self,
-        Attempt { ramp, limit, .. }: Attempt,
+        attempt: Attempt,
         threads: usize,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
         let Self { relax, model, start, scene } = *self;
         let targets = self.targets()?;
-        let positions = relax.first_positions(model, start, scene, &targets);
-        let mut stepper = relax.stepper::<R>((model, start), positions, (scene, targets, ramp), threads);
-        let limit = Limit { steps: limit, all: relax.steps.is_some() };
+        let positions = attempt.settings(relax).first_positions(model, start, scene, &targets);
+        let mut stepper = relax.stepper::<R>((model, start), positions, (scene, targets, attempt.ramp), threads);
+        let crushed = relax.steps.is_none().then(|| CRUSHED_RAMPS * u64::from(default_ramp(model)));
+        let limit = Limit { steps: attempt.limit, all: relax.steps.is_some(), crushed };
         let stop = stepper.run((model, start), limit, observe)?;
         Ok(stepper.into_folded(model, scene, scene.targets.clone(), stop))
     }

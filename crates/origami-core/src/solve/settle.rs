@@ -7,6 +7,10 @@ use super::row_sums::soft_sums;
 use crate::model::Model;
 use crate::twins::settle_decide::{Window, Windows, distance};
 
+/// Moves of so many radii, where forces would take no node farther, are rounding: positions near 1 are 2e-16 apart. What
+/// little the forces change along them tells nothing: of a line that is not strained at all they are all that there is.
+const ROUNDING: f64 = 1e-13;
+
 /// Where the nodes were when the present window began, and what pulled them.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -93,7 +97,9 @@ impl Settling {
             window.ahead += f.dot(moved);
             window.change += (f - f0).dot(moved);
         }
-        Window { largest: largest.sqrt(), ..window }
+        let largest = largest.sqrt();
+        let rounding = largest < ROUNDING && window.least < ROUNDING;
+        Window { largest: if rounding { 0.0 } else { largest }, ..window }
     }
 }
 
@@ -148,6 +154,17 @@ mod tests {
         let mut settling = Settling::with_stiffness(&[20.0], 1e-4);
         let at = (0..1000).position(|_| observe(&mut settling, DVec3::ONE, DVec3::ZERO));
         assert_eq!(at, Some(160));
+    }
+
+    #[test]
+    fn noise_that_forces_do_not_follow_is_rest() {
+        let mut settling = Settling::with_stiffness(&[20.0], 1e-4);
+        let noise = |i: i32| f64::from(i * 7 % 5) * 1e-16;
+        let settled = (0..1000).position(|i| {
+            let force = DVec3::new(1e-16, noise(3 * i) * 1e-16, 0.0);
+            observe(&mut settling, DVec3::new(1.0 + noise(i), noise(i + 1), 0.0), force)
+        });
+        assert_eq!(settled, Some(160));
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 
 use super::clock::Clock;
+use super::crushed::is_crushed;
 use super::fire::Minimiser;
 use super::guard::{Diverged, Guard};
 use super::largest::largest;
@@ -60,6 +61,9 @@ pub(super) struct Limit {
     pub(super) steps: u64,
     /// Whether all of them are wanted, settled or not.
     pub(super) all: bool,
+    /// By how many more evaluations at the final targets, with a triangle crushed than without, it gives up; `None`: it does
+    /// not.
+    pub(super) crushed: Option<u64>,
 }
 
 impl<R: Compute> Stepper<R> {
@@ -94,19 +98,30 @@ impl<R: Compute> Stepper<R> {
         }
     }
 
-    /// Runs until it has settled, has made so many evaluations, or `observe` breaks it off.
+    /// Runs until it has settled, has made so many evaluations, has a triangle that stays crushed, or `observe` breaks it
+    /// off.
     pub(super) fn run(
         &mut self,
         origin: Origin<'_>,
         limit: Limit,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Stop, Diverged> {
+        let mut crushed_for = 0_u64;
         loop {
             if self.steps >= limit.steps {
                 return Ok(if limit.all { Stop::StepsDone } else { Stop::StepLimit });
             }
             if self.step(origin, !limit.all)? {
                 return Ok(Stop::Converged);
+            }
+            // Where the state has just been read.
+            if let Some(patience) = limit.crushed.filter(|_| self.steps.is_multiple_of(COPY_EVERY)) {
+                // It swings about the line, and is thicker than that now and then.
+                let crushed = self.ramp.done() && is_crushed(origin.0, &self.state.positions);
+                crushed_for = if crushed { crushed_for + COPY_EVERY } else { crushed_for.saturating_sub(COPY_EVERY) };
+                if crushed_for >= patience {
+                    return Ok(Stop::Crushed);
+                }
             }
             if self.steps.is_multiple_of(REPORT) && observe(self.progress()).is_break() {
                 return Ok(Stop::Cancelled);

@@ -54,9 +54,9 @@ pub(super) struct Tile {
 #[repr(C)]
 pub(super) struct Triangle {
     pub(super) nodes: [u32; 3],
-    pub(super) unused: u32,
+    pub(super) start: u32,
     pub(super) lifts: [f32; 3],
-    pub(super) unused_too: u32,
+    pub(super) parts: u32,
 }
 
 /// A line as shaders read it.

@@ -1,6 +1,6 @@
 //! The two pipelines that draw: paper, then lines.
 
-use origami_picture::shade::{AMBIENT, KEY, SKY};
+use origami_picture::shade::{AMBIENT, KEY, SHADE, SKY};
 use origami_shaders::render::{FACES, LINES, SCENE};
 
 use crate::device::Gpu;
@@ -60,7 +60,8 @@ impl Pipelines {
                 label: Some(vertex),
                 source: wgpu::ShaderSource::Wgsl(source(own, sampling).into()),
             });
-            let light = [("AMBIENT", AMBIENT), ("KEY", KEY), ("SKY", SKY)].map(|(name, x)| (name, f64::from(x)));
+            let light = [("AMBIENT", AMBIENT), ("KEY", KEY), ("SKY", SKY), ("SHADE", SHADE)];
+            let light = light.map(|(name, x)| (name, f64::from(x)));
             let compilation_options = wgpu::PipelineCompilationOptions { constants: &light, ..Default::default() };
             gpu.device().create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some(vertex),
@@ -101,7 +102,7 @@ impl Pipelines {
 }
 
 /// Whether a binding is a uniform, and where it is used.
-pub(super) const BINDINGS: [(bool, wgpu::ShaderStages); 7] = [
+pub(super) const BINDINGS: [(bool, wgpu::ShaderStages); 8] = [
     (true, wgpu::ShaderStages::VERTEX_FRAGMENT),
     (true, wgpu::ShaderStages::VERTEX),
     (false, wgpu::ShaderStages::VERTEX),
@@ -109,6 +110,7 @@ pub(super) const BINDINGS: [(bool, wgpu::ShaderStages); 7] = [
     (false, wgpu::ShaderStages::VERTEX),
     (false, wgpu::ShaderStages::VERTEX),
     (true, wgpu::ShaderStages::VERTEX_FRAGMENT),
+    (false, wgpu::ShaderStages::FRAGMENT),
 ];
 
 fn bindings(gpu: &Gpu) -> wgpu::BindGroupLayout {

@@ -2,7 +2,7 @@
 
 use bytemuck::Pod;
 use origami_picture::map::Values;
-use origami_picture::raster::{EDGE_ON, ORDER, STEEP, UNDER_MAP, bias, lift, style};
+use origami_picture::raster::{EDGE_ON, ORDER, STEEP, bias, lift, strength, style};
 use origami_picture::{Figure, LineKind, Picture, View};
 use wgpu::util::DeviceExt;
 
@@ -65,6 +65,7 @@ impl Uploaded {
             ("the lines", size_of_val(&lines[..])),
             ("the corners of the lines", size_of_val(&line_indices[..])),
             ("the map", size_of_val(&shares[..])),
+            ("the openness", size_of_val(&figure.openness.values[..])),
         ] {
             gpu.fits(what, size as u64)?;
         }
@@ -82,6 +83,7 @@ impl Uploaded {
                 &buffer(gpu, &lines, storage),
                 &buffer(gpu, &shares, storage),
                 &buffer(gpu, &table, uniform),
+                &buffer(gpu, &figure.openness.values, storage),
             ];
             let bindings = gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("figure"),
@@ -141,7 +143,7 @@ fn frame(shot: &Shot<'_>) -> Frame {
     Frame {
         matrix: view.matrix,
         front: theme.front.linear(),
-        shading: theme.shading * if mapped == 0 { 1.0 } else { UNDER_MAP },
+        shading: strength(picture, figure),
         back: theme.back.linear(),
         mapped,
         light: view.light,
@@ -175,10 +177,10 @@ fn line_style(shot: &Shot<'_>, kind: LineKind) -> Style {
 }
 
 fn triangles(figure: &Figure, view: &View) -> Vec<Triangle> {
-    let triangle = |(i, nodes): (usize, &[u32; 3])| Triangle {
-        nodes: *nodes,
-        lifts: figure.layers.get(i).map_or([0.0; 3], |layer| lift(layer, view).map(single)),
-        ..Triangle::default()
+    let triangle = |(i, nodes): (usize, &[u32; 3])| {
+        let [start, parts] = figure.openness.lattices.get(i).copied().unwrap_or_default();
+        let lifts = figure.layers.get(i).map_or([0.0; 3], |layer| lift(layer, view).map(single));
+        Triangle { nodes: *nodes, start, lifts, parts }
     };
     figure.triangles.iter().enumerate().map(triangle).collect()
 }

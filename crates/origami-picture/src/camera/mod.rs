@@ -1,5 +1,6 @@
 //! From where a sheet is seen. The camera finds its place by itself: the points it is given fill the picture.
 
+mod facing;
 mod fit;
 mod swept;
 

@@ -4,8 +4,10 @@ use origami_core::glam::DVec3;
 use origami_core::{CreasePattern, Model};
 
 use super::{Figure, Line, LineKind, chains, lips};
+use crate::camera::Camera;
 use crate::layers::stack;
 use crate::map::Map;
+use crate::openness::Openness;
 
 impl Figure {
     /// The sheet with its nodes at `positions` (in radii). A position that is missing counts as the one at rest.
@@ -20,13 +22,31 @@ impl Figure {
         figure
     }
 
-    /// The same sheet in another state: positions and layers change.
+    /// The same sheet in another state: positions and layers change, and the openness where there is one.
     pub fn move_to(&mut self, model: &Model, positions: &[DVec3]) {
         let all = positions.iter().chain(model.rest.iter().skip(positions.len()));
         self.positions.clear();
         self.positions.extend(all.take(model.rest.len()).map(|p| p.to_array().map(|x| x as f32)));
         let stack = stack(model, positions);
         (self.layers, self.circles) = (stack.layers, stack.circles);
+        if !self.openness.is_empty() {
+            self.shade();
+        }
+    }
+}
+
+impl Figure {
+    /// Where to see it from if nothing is said: [`Camera::facing`] its triangles.
+    #[must_use]
+    pub fn camera(&self) -> Camera {
+        let corners = self.triangles.iter().flatten();
+        Camera::facing(corners.filter_map(|n| self.positions.get(*n as usize).copied()))
+    }
+
+    /// Finds out how open the sheet is where it is now, for soft shading: valleys and what lies under a flap grow darker.
+    /// Nothing happens where an index leads nowhere.
+    pub fn shade(&mut self) {
+        self.openness = Openness::of(&self.positions, &self.triangles);
     }
 }
 

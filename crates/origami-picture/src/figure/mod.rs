@@ -11,6 +11,7 @@ use origami_core::Error;
 
 use crate::layers::Layer;
 use crate::map::{Map, Values};
+use crate::openness::Openness;
 
 /// A sheet in one state, as a renderer needs it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -29,6 +30,9 @@ pub struct Figure {
     pub circles: Vec<[u32; 2]>,
     /// Creases, borders and what else is drawn as a line.
     pub lines: Vec<Line>,
+    /// How much light from all around reaches each place; empty where all of it does, as in diagrams. It belongs to these
+    /// positions, as the layers do.
+    pub openness: Openness,
     /// Values that are shown as colours in place of the paper's own.
     pub map: Option<Map>,
 }
@@ -58,6 +62,7 @@ impl Figure {
         if let Some(i) = self.circles.iter().position(|c| c.iter().any(|t| *t as usize >= self.triangles.len())) {
             return wrong(format!("circle {i}"), "names a triangle that is not there", "indices in range".into());
         }
+        self.openness.check(self.triangles.len())?;
         let values = self.map.as_ref().map(|map| match &map.values {
             Values::Nodes(values) => (values.len(), nodes),
             Values::Triangles(values) => (values.len(), self.triangles.len()),

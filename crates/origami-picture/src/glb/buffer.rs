@@ -13,6 +13,7 @@ pub(super) struct Buffer {
 
 const FLOAT: u32 = 5126;
 const UNSIGNED_SHORT: u32 = 5123;
+const UNSIGNED_INT: u32 = 5125;
 /// The view's bytes are vertices.
 const ARRAY_BUFFER: u32 = 34962;
 
@@ -66,6 +67,25 @@ impl Buffer {
         index
     }
 
+    /// So many numbers that are 1 at these places, which rise, and 0 else. Only the places are written.
+    pub(super) fn ones(&mut self, count: usize, places: &[u32]) -> usize {
+        let indices = self.view(places.iter().flat_map(|place| place.to_le_bytes()), None);
+        let values = self.view(places.iter().flat_map(|_| 1.0_f32.to_le_bytes()), None);
+        self.accessors.push(json!({
+            "componentType": FLOAT,
+            "count": count,
+            "type": "SCALAR",
+            "min": [0.0],
+            "max": [1.0],
+            "sparse": {
+                "count": places.len(),
+                "indices": { "bufferView": indices, "componentType": UNSIGNED_INT },
+                "values": { "bufferView": values },
+            },
+        }));
+        self.accessors.len() - 1
+    }
+
     fn put(
         &mut self,
         bytes: impl Iterator<Item = u8>,
@@ -74,6 +94,12 @@ impl Buffer {
         shape: &str,
         target: Option<u32>,
     ) -> usize {
+        let view = self.view(bytes, target);
+        self.accessors.push(json!({ "bufferView": view, "componentType": component, "count": count, "type": shape }));
+        self.accessors.len() - 1
+    }
+
+    fn view(&mut self, bytes: impl Iterator<Item = u8>, target: Option<u32>) -> usize {
         let start = self.bytes.len();
         self.bytes.extend(bytes);
         let length = self.bytes.len() - start;
@@ -83,8 +109,6 @@ impl Buffer {
             view["target"] = json!(target);
         }
         self.views.push(view);
-        let view = self.views.len() - 1;
-        self.accessors.push(json!({ "bufferView": view, "componentType": component, "count": count, "type": shape }));
-        self.accessors.len() - 1
+        self.views.len() - 1
     }
 }

@@ -9,6 +9,8 @@ use super::{normals, positions_of};
 
 /// Draws pairs of vertices as lines.
 const LINES: u32 = 1;
+/// States whose table of weights is written in full, as every viewer knows it: 64 kB. The table grows with their square.
+const DENSE: usize = 128;
 const PAPER: usize = 0;
 const INK: usize = 1;
 
@@ -92,9 +94,15 @@ impl Document {
         }
         let times: Vec<f32> = (0..states).map(|i| seconds * i as f32 / (states - 1) as f32).collect();
         // At state i the target i - 1 counts fully, and no other.
-        let weights = (0..states).flat_map(|i| (1..states).map(move |target| f32::from(u8::from(i == target))));
-        let weights: Vec<f32> = weights.collect();
-        let (input, output) = (self.buffer.numbers(&times), self.buffer.numbers(&weights));
+        let targets = states - 1;
+        let input = self.buffer.numbers(&times);
+        let output = if states <= DENSE {
+            let weights = (0..states).flat_map(|i| (1..states).map(move |target| f32::from(u8::from(i == target))));
+            self.buffer.numbers(&weights.collect::<Vec<f32>>())
+        } else {
+            let ones = (1..states).filter_map(|i| u32::try_from(i * targets + i - 1).ok());
+            self.buffer.ones(states * targets, &ones.collect::<Vec<u32>>())
+        };
         self.animation = Some(json!({
             "name": "folding",
             "channels": [{ "sampler": 0, "target": { "node": 0, "path": "weights" } }],

@@ -22,6 +22,11 @@ use crate::theme::Theme;
 use buffer::Buffer;
 use document::Document;
 
+/// Bytes that JSON has of a state, at most.
+const STATE: u64 = 1000;
+/// Viewers fill in a table of the square of the number of states: 1 GB.
+const MOST_STATES: u64 = 16_000;
+
 /// What goes into a glTF file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Glb {
@@ -61,13 +66,10 @@ impl Glb {
     ///
     /// # Errors
     /// [`Error::Invalid`] for a figure that makes no sense, a state or a texture of another sheet, a sheet without triangles,
-    /// a radius that 32 bits cannot hold (1e-15 to 1e15), or a file beyond 4 GB; [`Error::Io`] with path `-` if writing fails.
+    /// a radius that 32 bits cannot hold (1e-15 to 1e15), or a file beyond 4 GB, as [`Glb::check`] tells before;
+    /// [`Error::Io`] with path `-` if writing fails.
     pub fn write(&self, figure: &Figure, states: &[Vec<[f32; 3]>], mut writer: impl Write) -> Result<(), Error> {
-        figure.check()?;
-        if figure.triangles.is_empty() {
-            return Err(Error::invalid("glTF", "the sheet has no faces", "at least one triangle"));
-        }
-        self.check(figure)?;
+        self.check(figure, states.len())?;
         let own = [figure.positions.clone()];
         let states = if states.is_empty() { &own[..] } else { states };
         for (i, state) in states.iter().enumerate() {
@@ -80,16 +82,35 @@ impl Glb {
         writer.write_all(&file).and_then(|()| writer.flush()).map_err(|source| Error::Io { path: "-".into(), source })
     }
 
+    /// Whether a file can hold `figure` going through so many states, whatever they are.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a figure that makes no sense, a sheet without triangles, a placement or a texture that makes
+    /// none, and for more states than the 4 GB of a file, or the numbers of a table of weights that viewers fill in, have
+    /// room for.
+    pub fn check(&self, figure: &Figure, states: usize) -> Result<(), Error> {
+        figure.check()?;
+        if figure.triangles.is_empty() {
+            return Err(Error::invalid("glTF", "the sheet has no faces", "at least one triangle"));
+        }
+        self.check_placement(figure)?;
+        let lines = figure.lines.iter().filter(|line| self.edges.has(line.kind)).count();
+        // A place and a normal for each corner, a place for each end of a line, and what JSON says of both.
+        let state = 24 * 3 * figure.triangles.len() as u64 + 12 * 2 * lines as u64 + STATE;
+        let most = (u64::from(u32::MAX) / state).min(MOST_STATES);
+        if states as u64 <= most.max(1) {
+            return Ok(());
+        }
+        Err(Error::invalid("glTF", format!("{states} states are more than a file holds"), format!("at most {most}")))
+    }
+
     /// Whether placement and texture make sense.
-    fn check(&self, figure: &Figure) -> Result<(), Error> {
+    fn check_placement(&self, figure: &Figure) -> Result<(), Error> {
         let Normalisation { centre, radius } = self.placement;
         if !RADII.contains(&radius) || !centre.as_vec3().is_finite() {
             let problem = format!("a sheet of radius {radius:e} at {centre}");
-            return Err(Error::invalid(
-                "glTF",
-                problem,
-                "a radius from 1e-15 to 1e15, at places that 32 bits can hold",
-            ));
+            let expected = "a radius from 1e-15 to 1e15, at places that 32 bits can hold";
+            return Err(Error::invalid("glTF", problem, expected));
         }
         let texture = self.texture.as_ref().filter(|texture| texture.len() != figure.positions.len());
         if let Some(texture) = texture {

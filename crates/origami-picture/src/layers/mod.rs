@@ -4,6 +4,9 @@
 //! from the folds: a valley lays its second face on the front of its first, and paper does not go through paper (the
 //! taco and tortilla conditions of J. Justin, 1994, as E. Demaine and J. O'Rourke, Geometric Folding Algorithms, 2007,
 //! chapter 12, name them). What they leave open the positions decide.
+//!
+//! Depth buffers are all that renderers need to know: layers are moved apart in depth, by as little as rounding allows, and
+//! what hangs on a stack moves with it. So no layer comes before paper that lies in front of its stack.
 
 mod circles;
 mod conditions;
@@ -24,14 +27,15 @@ use pairs::Pairs;
 /// How a triangle is moved in depth, and nowhere else, so that it is seen to lie where it belongs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Layer {
-    /// The unit vector along which layers are counted; zero for a triangle that lies on none.
+    /// The unit vector along which layers are counted; zero for a triangle that lies on none and hangs on none that does.
     pub up: [f32; 3],
     /// By how much each of the triangle's corners is moved along it, in radii.
     pub heights: [f32; 3],
 }
 
-/// How far apart layers are drawn that lie upon each other, in radii.
-pub const LAYER: f64 = 4e-3;
+/// How far apart layers are drawn that lie upon each other, in radii: more than rounding, and little enough that a stack
+/// of them does not come before what lies in front of it.
+pub const LAYER: f64 = 2e-4;
 
 /// The order of layers.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,9 +59,10 @@ pub fn stack(model: &Model, positions: &[DVec3]) -> Stack {
     conditions::add(model, positions, &pairs, &mut order);
     order.decide();
     let circling = circles::circling(&pairs, &order);
-    let heights = spread::spread(&pairs, &order, &circling, &spread::welds(model, &pairs));
+    let mut heights = spread::spread(model, &pairs, &order, &circling);
+    let up = spread::hangers(model, &pairs, &mut heights);
     let layer = |(t, heights): (usize, [f64; 3])| Layer {
-        up: pairs.up[t].to_array().map(|x| x as f32),
+        up: up[t].to_array().map(|x| x as f32),
         heights: heights.map(|h| h as f32),
     };
     Stack {

@@ -7,6 +7,8 @@ use super::overlap::{overlap, width};
 
 /// Nearer than this, in radii, depth does not tell which of two triangles is on top.
 pub const NEAR: f64 = 4e-3;
+/// Two triangles that go through each other by more than this, in radii, on both sides, are shown as they are.
+const CROSSING: f64 = 2.0 * NEAR;
 /// Up to here, in radii, layers are counted together: drawing them apart must not push one through the next.
 const FAR: f64 = 0.08;
 /// Cosine of the angle up to which two triangles count as parallel: 8 degrees.
@@ -30,9 +32,10 @@ pub(super) struct Contact {
 pub(super) struct Pairs {
     /// Unit normals of all triangles; zero for a triangle of no area.
     pub(super) normals: Vec<DVec3>,
-    /// The direction in which layers are counted: one for all triangles that lie upon each other, directly or not.
+    /// The direction in which layers are counted: one for all triangles that lie upon each other, directly or not, and for
+    /// those beside them.
     pub(super) up: Vec<DVec3>,
-    /// The least triangle of all that lie upon each other, directly or not.
+    /// The least triangle of all that have this direction together.
     pub(super) stacks: Vec<usize>,
     /// By pair, the smaller first; in order.
     pub(super) triangles: Vec<[u32; 2]>,
@@ -65,7 +68,7 @@ impl Pairs {
             let least = contacts.iter().map(|c| c.height).fold(f64::INFINITY, f64::min);
             let most = contacts.iter().map(|c| c.height).fold(f64::NEG_INFINITY, f64::max);
             // Paper that goes through paper is shown as it is.
-            if contacts.is_empty() || least > FAR || most < -FAR || (least < -NEAR && most > NEAR) {
+            if contacts.is_empty() || least > FAR || most < -FAR || (least < -CROSSING && most > CROSSING) {
                 continue;
             }
             any_near |= least < NEAR && most > -NEAR;
@@ -78,10 +81,10 @@ impl Pairs {
             return None;
         }
         found.sort_unstable_by_key(|(pair, _)| *pair);
-        Some(Self::new(normals, found))
+        Some(Self::new(model, normals, found))
     }
 
-    fn new(normals: Vec<DVec3>, found: Vec<([u32; 2], Vec<Contact>)>) -> Self {
+    fn new(model: &Model, normals: Vec<DVec3>, found: Vec<([u32; 2], Vec<Contact>)>) -> Self {
         let count = normals.len();
         let mut starts = vec![0; count + 1];
         found.iter().flat_map(|(pair, _)| pair).for_each(|t| starts[*t as usize + 1] += 1);
@@ -97,7 +100,7 @@ impl Pairs {
         let up = vec![DVec3::ZERO; count];
         let stacks = (0..count).collect();
         let mut pairs = Self { up, stacks, normals, triangles, contacts, heights: Vec::new(), neighbours, starts };
-        pairs.choose_directions();
+        pairs.choose_directions(&goes_on(model, &pairs.normals));
         for ([i, _], contacts) in pairs.triangles.iter().zip(&mut pairs.contacts) {
             let turn = pairs.normals[*i as usize].dot(pairs.up[*i as usize]).signum();
             contacts.iter_mut().for_each(|contact| contact.height *= turn);
@@ -134,8 +137,8 @@ impl Pairs {
         Some((others[place].1 as usize, a < b))
     }
 
-    /// Spreads the normal of one triangle over all that hang together with it.
-    fn choose_directions(&mut self) {
+    /// Spreads the normal of one triangle over all that hang together with it: that lie upon it, or go on beside it.
+    fn choose_directions(&mut self, beside: &[[Option<u32>; 3]]) {
         for seed in 0..self.normals.len() {
             if self.up[seed] != DVec3::ZERO || self.of(seed).is_empty() {
                 continue;
@@ -152,9 +155,33 @@ impl Pairs {
                         open.push(other);
                     }
                 }
+                for other in beside[triangle].iter().flatten().map(|t| *t as usize) {
+                    let parallel = self.normals[other].dot(up).abs() > PARALLEL;
+                    if self.up[other] == DVec3::ZERO && !self.of(other).is_empty() && parallel {
+                        self.up[other] = up;
+                        self.stacks[other] = seed;
+                        open.push(other);
+                    }
+                }
             }
         }
     }
+}
+
+/// By triangle: those beside it over sides where the sheet goes on flat.
+fn goes_on(model: &Model, normals: &[DVec3]) -> Vec<[Option<u32>; 3]> {
+    let mut beside = vec![[None; 3]; normals.len()];
+    for side in &model.mesh.sides {
+        let [Some(one), Some(two)] = side.triangles else { continue };
+        if normals[one.index()].dot(normals[two.index()]) > PARALLEL {
+            for (here, there) in [(one, two), (two, one)] {
+                if let Some(free) = beside[here.index()].iter_mut().find(|place| place.is_none()) {
+                    *free = Some(there.0);
+                }
+            }
+        }
+    }
+    beside
 }
 
 /// The corners of what two triangles have in common, with the heights of the second over the first along `normal`; none

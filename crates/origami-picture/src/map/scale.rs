@@ -29,7 +29,7 @@ impl Scale {
         if !(self.clip > 0.0 && self.clip.is_finite()) {
             return Vec::new();
         }
-        let step = round_up(self.clip / 5.0);
+        let step = next_of(&[1.0, 2.0, 5.0, 10.0], self.clip / 5.0);
         let mut values: Vec<f64> = (0..8).map(|i| f64::from(i) * step).filter(|v| *v < self.clip * 0.999).collect();
         // A round number that would stand on the last one gives way.
         if values.len() > 1 && values.last().is_some_and(|last| self.clip - last < 0.5 * step) {
@@ -42,17 +42,22 @@ impl Scale {
     }
 }
 
-/// The next of 1, 2 and 5 times a power of ten; 1 where there is none.
+/// The next of 1, 1.5, 2, 3, 4, 5, 6 and 8 times a power of ten: a bar that ends there is used over two thirds of its
+/// colours at least. 1 where there is none.
 #[must_use]
 pub fn round_up(value: f64) -> f64 {
+    next_of(&[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0], value)
+}
+
+/// The next of these digits times a power of ten; 1 where there is none.
+fn next_of(digits: &[f64], value: f64) -> f64 {
     if !(value > 1e-300 && value < 1e300) {
         return 1.0;
     }
     let power = value.log10().floor() as i32;
-    let candidates = [1.0, 2.0, 5.0, 10.0].map(|digit| (digit * 10.0_f64.powi(power), digit, power));
-    let enough = candidates.into_iter().find(|(c, ..)| *c >= value * (1.0 - 1e-9));
+    let enough = digits.iter().find(|digit| **digit * 10.0_f64.powi(power) >= value * (1.0 - 1e-9));
     // Written as text and read again, so that 0.2 is 0.2.
-    enough.and_then(|(_, digit, power)| format!("{digit}e{power}").parse().ok()).unwrap_or(value)
+    enough.and_then(|digit| format!("{digit}e{power}").parse().ok()).unwrap_or(value)
 }
 
 /// The worth of the last digit that a number written with three has.
@@ -100,14 +105,22 @@ mod tests {
         assert_eq!(ticks(5.0, true), ["0", "1", "2", "3", "4", "≥ 5"]);
         assert_eq!(ticks(0.002, false), ["0.0000", "0.0005", "0.0010", "0.0015", "0.0020"]);
         assert_eq!(ticks(2e-6, false), ["0", "5e-7", "1e-6", "1.5e-6", "2e-6"]);
+        assert_eq!(ticks(1.5, false), ["0.0", "0.5", "1.0", "1.5"]);
+        assert_eq!(ticks(3.0, false), ["0", "1", "2", "3"]);
+        assert_eq!(ticks(0.08, false), ["0.00", "0.02", "0.04", "0.06", "0.08"]);
         assert_eq!(ticks(1.3, false).last().unwrap(), "1.3");
         assert_eq!(ticks(f64::NAN, false), Vec::<String>::new());
     }
 
     #[test]
-    fn rounding_goes_up_to_one_two_or_five() {
-        for (value, rounded) in [(0.013, 0.02), (0.2, 0.2), (0.21, 0.5), (99.0, 100.0), (1.0, 1.0), (0.0, 1.0)] {
+    fn rounding_goes_up_to_a_short_number_that_is_not_far() {
+        for (value, rounded) in [(0.013, 0.015), (0.2, 0.2), (0.21, 0.3), (99.0, 100.0), (1.0, 1.0), (0.0, 1.0)] {
             assert_eq!(round_up(value), rounded);
+        }
+        for i in 1..2000 {
+            let value = 0.003 * 1.007_f64.powi(i);
+            let rounded = round_up(value);
+            assert!(rounded >= value * (1.0 - 1e-9) && value > 0.66 * rounded, "{value} {rounded}");
         }
         assert_eq!(round_up(f64::NAN), 1.0);
     }

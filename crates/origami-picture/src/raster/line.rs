@@ -93,10 +93,11 @@ pub fn bias(kind: LineKind) -> f64 {
     BIAS * (1.0 + 0.05 * rank as f64)
 }
 
-/// The theme's style, but over a map all creases are alike.
+/// The theme's style: with dashes if the picture has them, and over a map all creases alike.
 #[must_use]
 pub fn style(picture: &Picture, figure: &Figure, kind: LineKind) -> LineStyle {
     let style = *picture.theme.line(kind);
+    let style = LineStyle { dash: style.dash.filter(|_| picture.dashed), ..style };
     if figure.map.is_none() || matches!(kind, LineKind::Boundary | LineKind::Cut) {
         return style;
     }

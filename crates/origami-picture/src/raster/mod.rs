@@ -22,8 +22,8 @@ use circles::Circles;
 use line::Stroke;
 pub use line::{EDGE_ON, ORDER, STEEP, bias, style};
 use tile::{SIZE, Tile};
-use triangle::Facet;
-pub use triangle::{UNDER_MAP, lift};
+use triangle::{Facet, Paint};
+pub use triangle::{lift, strength};
 
 /// How far lines lie before the paper that they are drawn on, in radii: less than a layer, so that lines of the layer
 /// below stay hidden.
@@ -44,7 +44,7 @@ impl Renderer for Processor {
         let circles = Circles::new(figure, view);
         let strokes: Vec<Stroke> = line::strokes(picture, figure, view, &corners, &facets, &circles);
 
-        let table = figure.map.as_ref().map_or_else(Vec::new, |map| map.scale.colours.table());
+        let paint = Paint::new(picture, figure);
         let columns = (picture.width as usize).div_ceil(SIZE);
         let rows = (picture.height as usize).div_ceil(SIZE);
         let facets_at = Bins::new(columns, rows, facets.iter().map(|f| f.as_ref().map(|f| f.bounds)));
@@ -56,7 +56,7 @@ impl Renderer for Processor {
                 tile.clear(column, row);
                 for f in facets_at.of(column, row) {
                     if let Some(Some(facet)) = facets.get(*f as usize) {
-                        tile.facet(*f, facet, &table);
+                        tile.facet(*f, facet, &paint);
                     }
                 }
                 for s in strokes_at.of(column, row) {

@@ -3,7 +3,7 @@
 use super::circles::Circles;
 use super::line::Stroke;
 use super::samples::Pattern;
-use super::triangle::Facet;
+use super::triangle::{Facet, Paint};
 use crate::colour::Rgb;
 
 /// The owner of a sample that no triangle covers.
@@ -63,7 +63,7 @@ impl<'a> Tile<'a> {
             .flat_map(move |y| across.clone().map(move |x| (x0 + x as f64, y0 + y as f64, (y * SIZE + x) * samples)))
     }
 
-    pub(super) fn facet(&mut self, name: u32, facet: &Facet, table: &[[f32; 3]]) {
+    pub(super) fn facet(&mut self, name: u32, facet: &Facet, paint: &Paint<'_>) {
         let pattern = self.pattern;
         for (x, y, first) in self.pixels(facet.bounds) {
             // The farthest corner of the pixel is outside of one edge: so are all its samples.
@@ -74,14 +74,7 @@ impl<'a> Tile<'a> {
             if outside {
                 continue;
             }
-            let colour = match &facet.shares {
-                Some(shares) => {
-                    let place = shares.of(x + 0.5, y + 0.5) * table.len().saturating_sub(1) as f64;
-                    let light = table.get((place + 0.5) as usize).copied().unwrap_or_default();
-                    [0, 1, 2].map(|c| light[c] * facet.colour[c])
-                }
-                None => facet.colour,
-            };
+            let colour = paint.at(name, facet, x + 0.5, y + 0.5);
             for (i, [dx, dy]) in pattern.iter().enumerate() {
                 let (sx, sy) = (x + dx, y + dy);
                 if facet.edges.iter().all(|edge| edge.holds(sx, sy)) {

@@ -21,7 +21,7 @@ use origami::formats::Format;
 use trial::Reached;
 
 /// One input may take this long.
-const LIMIT: Duration = Duration::from_secs(20);
+const LIMIT: Duration = Duration::from_secs(60);
 
 /// What came of an input.
 type Answer = Result<Reached, String>;
@@ -76,7 +76,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         slowest = slowest.max(begun.elapsed());
         match answer {
             Some(Ok(reached)) => {
-                counts.entry(format!("{:?}", Format::of(&bytes, None))).or_default()[reached as usize] += 1;
+                let format = Format::of(&bytes, None).map_or("none".to_owned(), |format| format!("{format:?}"));
+                counts.entry(format).or_default()[reached as usize] += 1;
             }
             fault => {
                 if fault.is_none() {

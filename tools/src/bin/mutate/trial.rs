@@ -2,8 +2,9 @@
 
 use origami::export;
 use origami::fold::Document;
+use origami::formats::{self, write};
 use origami::glam::DVec3;
-use origami::{CreasePattern, Material, Model, Relax, Solver, formats};
+use origami::{CreasePattern, Material, Model, Relax, Solver};
 
 /// How far a file came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -71,6 +72,9 @@ fn written(
     if again.key_frame.edges_vertices != form.key_frame.edges_vertices {
         return Err("what was written reads back as something else".into());
     }
+    if pattern.vertices.iter().all(|place| place.z == 0.0) {
+        read_again(pattern)?;
+    }
     let mut bytes = Vec::new();
     export::write_obj(&mut bytes, pattern, &pose.positions).map_err(|error| error.to_string())?;
     let text = String::from_utf8(bytes).map_err(|error| error.to_string())?;
@@ -78,6 +82,29 @@ fn written(
         Some(word) => Err(format!("{word} in an OBJ file")),
         None => Ok(()),
     }
+}
+
+/// The pattern as CP, SVG and DXF: each is read again, with as many lines.
+fn read_again(pattern: &CreasePattern) -> Result<(), String> {
+    let mut options = write::Options::default();
+    options.joined = Some(false);
+    let lines = write::strokes(pattern, None).map_err(|error| error.to_string())?.len();
+    let (mut cp, mut svg, mut dxf) = (Vec::new(), Vec::new(), Vec::new());
+    let written = [
+        ("CP", write::cp(pattern, &options, &mut cp), &cp),
+        ("SVG", write::svg(pattern, &options, &mut svg), &svg),
+        ("DXF", write::dxf(pattern, &options, &mut dxf), &dxf),
+    ];
+    for (name, done, bytes) in written {
+        done.map_err(|error| format!("{name}: {error}"))?;
+        let read = formats::read(bytes, None, &formats::Options::default());
+        let read = read.map_err(|error| format!("the {name} that was written is not read: {error}"))?;
+        let found = read.key_frame.edges_vertices.map_or(0, |edges| edges.len());
+        if found != lines {
+            return Err(format!("{lines} lines were written as {name}, and {found} are read"));
+        }
+    }
+    Ok(())
 }
 
 /// Errors are for people: none without text, none that a terminal would obey.

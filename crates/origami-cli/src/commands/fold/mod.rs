@@ -4,6 +4,8 @@ mod one;
 mod queue;
 mod summary;
 
+use std::path::Path;
+
 use rayon::prelude::*;
 
 use crate::args::FoldArgs;
@@ -11,9 +13,11 @@ use crate::console;
 use crate::draw;
 use crate::exit::{Exit, Failure};
 use crate::files::{self, Destination, Format, Input, Reading, Target};
+use crate::oddities;
 use crate::progress::ProgressLine;
 use crate::report::{self, Report};
-use crate::settings::{self, Settings};
+use crate::settings::Settings;
+use crate::threads;
 
 use one::{Finished, Seen};
 use queue::Queue;
@@ -23,15 +27,20 @@ pub(super) fn run(args: &FoldArgs) -> Result<Exit, Failure> {
     let reading = Reading::new(&args.reading)?;
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::new(path, &reading)).collect();
     let targets = plan(args, &inputs)?;
-    let drawn = targets.iter().flatten().any(|target| target.format.is_drawn());
+    let mut formats: Vec<Format> = targets.iter().flatten().map(|target| target.format).collect();
+    formats.dedup();
+    let drawn = formats.iter().any(|format| format.is_drawn());
     let settings = Settings::new(args, drawn)?;
     if let (Some(style), Some(_)) = (&settings.style, &args.sheet) {
-        draw::check_contact(style, settings.percents.len())?;
+        draw::check_contact(style, settings.stages_of(Format::Contact))?;
     }
     let report_to = args.report.as_deref().map(Destination::new);
     check_streams(&inputs, &targets, report_to.as_ref())?;
+    files::refuse_replaced(&inputs, targets.iter().flatten())?;
+    files::refuse_unwritable(paths(&targets, report_to.as_ref()))?;
+    files::tidy(paths(&targets, report_to.as_ref()));
     if !args.quiet {
-        settings::oddities(args, drawn).iter().for_each(console::warning);
+        oddities::of_fold(args, &formats).iter().for_each(console::warning);
         warn_of_single_stages(args, &targets);
     }
 
@@ -44,11 +53,20 @@ pub(super) fn run(args: &FoldArgs) -> Result<Exit, Failure> {
 
     let exit = finished.iter().map(|f| f.exit).max().unwrap_or(Exit::Done);
     if let Some(destination) = report_to {
-        let reports: Vec<Report> = finished.into_iter().map(|f| f.report).collect();
+        let reports: Vec<Report> = finished.into_iter().filter_map(|f| f.report).collect();
         write_report(&destination, &reports)?;
     }
     queue.result()?;
     Ok(exit)
+}
+
+/// All files that are named or planned.
+fn paths<'a>(targets: &'a [Vec<Target>], report: Option<&'a Destination>) -> impl Iterator<Item = &'a Path> {
+    let targets = targets.iter().flatten().map(|target| &target.destination);
+    targets.chain(report).filter_map(|destination| match destination {
+        Destination::File(path) => Some(path.as_path()),
+        Destination::Stdout => None,
+    })
 }
 
 /// Which files are written.
@@ -80,11 +98,11 @@ fn fold_all(
     line: &ProgressLine,
     queue: &Queue<'_>,
 ) -> Result<Vec<Finished>, Failure> {
-    let stages = settings.percents.len();
+    let way = settings.way(settings.stages());
     let fold = |(i, (input, targets)): (usize, (&Input, &Vec<Target>))| {
         let mut observe = |seen| match seen {
             _ if inputs.len() > 1 => {}
-            Seen::Stage(stage, progress) => line.show(stage, stages, progress),
+            Seen::Stage(stage, progress) => line.show(stage, way, progress),
             Seen::Pictures(drawn, of) => line.show_pictures(drawn, of),
         };
         let mut finished = one::fold(input, targets, settings, &mut observe);
@@ -96,7 +114,7 @@ fn fold_all(
     };
     if let Some(threads) = args.threads {
         // A single sheet is shared out among the threads of the global pool.
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads::count(Some(threads))).build_global();
         pool.map_err(|error| format!("cannot start threads: {error}"))?;
     }
     if inputs.len() == 1 {
@@ -133,7 +151,8 @@ fn check_streams(inputs: &[Input], targets: &[Vec<Target>], report: Option<&Dest
         return Err(format!("{report} is named for the report and for an output; expected different ones"));
     }
     if let Destination::File(path) = report {
-        let replaced = |input: &Input| input.file().is_some_and(|file| report.is(&Destination::new(file)));
+        let is = |file: &Path| report.is(&Destination::new(file)) || files::is_same_file(file, path);
+        let replaced = |input: &Input| input.file().is_some_and(is);
         if inputs.iter().any(replaced) {
             return Err(format!("{report}: the report would overwrite an input; expected another file"));
         }

@@ -6,7 +6,7 @@ use origami::error::WarningCode;
 use origami::export::Template;
 use origami::measure::attitude;
 use origami::model::Model;
-use origami::solve::{Failed, Progress, Stop, fold_path};
+use origami::solve::{Failed, Progress, Stop, crushed_triangles, fold_path};
 use origami::{CreasePattern, Error, Warning, measure};
 
 use super::summary::{self, Told};
@@ -28,7 +28,8 @@ pub(super) enum Seen {
 /// What came of one input.
 pub(super) struct Finished {
     pub(super) exit: Exit,
-    pub(super) report: Report,
+    /// None where nothing was folded, which is not done where a report is asked for.
+    pub(super) report: Option<Report>,
     pub(super) told: Told,
 }
 
@@ -40,12 +41,15 @@ pub(super) fn fold(input: &Input, targets: &[Target], settings: &Settings, obser
         // Nobody reads standard output any more: that is the reader's business.
         Err(Error::Io { path, source }) if path == "-" && source.kind() == std::io::ErrorKind::BrokenPipe => {
             let error = source.to_string();
-            Finished { exit: Exit::Done, report: Report::Refused { input: told.input.clone(), error }, told }
+            let outputs = std::mem::take(&mut told.written);
+            let report = Report::Refused { input: told.input.clone(), error, outputs };
+            Finished { exit: Exit::Done, report: Some(report), told }
         }
         Err(error) => {
             told.errors.push(input.describe(&error));
-            let report = Report::Refused { input: input.to_string(), error: error.to_string() };
-            Finished { exit: Exit::BadInput, report, told }
+            let outputs = std::mem::take(&mut told.written);
+            let report = Report::Refused { input: input.to_string(), error: error.to_string(), outputs };
+            Finished { exit: Exit::BadInput, report: Some(report), told }
         }
     }
 }
@@ -56,7 +60,7 @@ fn attempt(
     settings: &Settings,
     observe: &mut dyn FnMut(Seen),
     told: &mut Told,
-) -> Result<(Exit, Report), Error> {
+) -> Result<(Exit, Option<Report>), Error> {
     let mut watch = Stopwatch::start();
     let mut seconds = Seconds::default();
     let document = input.read()?;
@@ -68,7 +72,19 @@ fn attempt(
     let template = Template::new(&document, index, &pattern)?;
     drop(document);
     let model = Model::new(&pattern, &settings.material)?;
+    check_room(settings, &model)?;
+    for target in targets {
+        let states = settings.stages_of(target.format);
+        let style = settings.style.as_ref();
+        style.map_or(Ok(()), |style| draw::check_drawable(target.format, style, &pattern, &model, states))?;
+    }
     seconds.build = watch.lap();
+    // A picture of the pattern needs no folding.
+    if !settings.reported && targets.iter().all(|target| target.format == Format::Svg) {
+        draw_pattern(targets, settings, (&template, &pattern, &model))?;
+        told.summary = Some(summary::not_folded(input, seconds.read + seconds.build + watch.lap()));
+        return Ok((Exit::Done, None));
+    }
 
     // A face that is not there is refused before the work.
     attitude::motion(&model, &model.rest, settings.hold)?;
@@ -78,9 +94,16 @@ fn attempt(
     told.warnings.extend(warnings.iter().cloned().chain(computer.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
     let scene = SceneFacts::new(&pattern, &model, &computer.solver.inventory(&model), &warnings);
-    let solved = fold_path(&model, computer.solver.as_ref(), &settings.percents, &mut |stage, progress| {
-        observe(Seen::Stage(stage, progress));
-        ControlFlow::Continue(())
+    let mut path = |percents: &[f64], before: usize| {
+        fold_path(&model, computer.solver.as_ref(), percents, &mut |stage, progress| {
+            observe(Seen::Stage(before + stage, progress));
+            ControlFlow::Continue(())
+        })
+    };
+    // What stands beside a contact sheet is folded as if that were not asked for.
+    let solved = path(&settings.percents, 0).and_then(|states| {
+        let stages = settings.sheet_percents.as_deref().map(|stages| path(stages, states.len())).transpose()?;
+        Ok((states, stages))
     });
     seconds.solve = watch.lap();
     let on_gpu = computer.adapter.is_some();
@@ -99,13 +122,14 @@ fn attempt(
         outputs: Vec::new(),
         seconds,
     };
-    let mut states = match solved {
-        Ok(states) => states,
+    let (mut states, mut stages) = match solved {
+        Ok(solved) => solved,
         Err(failed) => {
             let Failed::Diverged(diverged) = &failed.failed else {
                 told.errors.push(format!("{input}: {failed}"));
                 let error = failed.to_string();
-                return Ok((Exit::BadInput, Report::Refused { input: input.to_string(), error }));
+                let report = Report::Refused { input: input.to_string(), error, outputs: Vec::new() };
+                return Ok((Exit::BadInput, Some(report)));
             };
             run.measured = Measured {
                 percent: failed.percent,
@@ -116,20 +140,23 @@ fn attempt(
                 ..Measured::default()
             };
             run.diverged = Some(Divergence::from(diverged));
+            let crushed = measure::crushed(&model, &diverged.last_good.positions);
+            run.scene.warnings.extend(crushed.iter().map(Note::from));
+            told.warnings.extend(crushed);
             let held = failed.states.iter().map(|folded| Measured::new(&model, folded));
             run.frames = settings.animated.then(|| held.collect());
             told.errors.push(format!("{input}: {failed}; {}", settings.advice()));
-            return Ok((Exit::Diverged, Report::Folded(Box::new(run))));
+            return Ok((Exit::Diverged, Some(Report::Folded(Box::new(run)))));
         }
     };
 
-    let strained = states.last().and_then(|folded| measure::strained_at_rest(&model, folded));
-    run.scene.warnings.extend(strained.iter().map(Note::from));
-    told.warnings.extend(strained);
+    let at_the_end = states.last().map(|folded| measure::folded_warnings(&pattern, &model, folded)).unwrap_or_default();
+    run.scene.warnings.extend(at_the_end.iter().map(Note::from));
+    told.warnings.extend(at_the_end);
     let frames: Vec<Measured> = states.iter().map(|folded| Measured::new(&model, folded)).collect();
     run.measured = overall(&frames);
     run.frames = settings.animated.then_some(frames);
-    for folded in &mut states {
+    for folded in states.iter_mut().chain(stages.iter_mut().flatten()) {
         folded.state = attitude::turned(&model, &folded.state, settings.hold)?;
     }
     watch.lap();
@@ -147,8 +174,11 @@ fn attempt(
         artist: &artist,
         fps: settings.film.fps,
     };
+    let contact = Sheet { states: stages.as_deref().unwrap_or(&states), ..sheet };
     for target in targets {
-        let (outputs, warning) = write(target, &sheet, settings, observe)?;
+        let sheet = if target.format == Format::Contact { &contact } else { &sheet };
+        let (outputs, warning) = write(target, sheet, settings, observe)?;
+        told.written.extend_from_slice(&outputs);
         run.outputs.extend(outputs);
         run.scene.warnings.extend(warning.iter().map(Note::from));
         told.warnings.extend(warning);
@@ -165,11 +195,38 @@ fn attempt(
     }
 
     told.summary = Some(summary::line(&run));
-    let limited = states.iter().find(|folded| folded.stop == Stop::StepLimit);
+    let mut ended = states.iter().chain(stages.iter().flatten());
+    let limited = ended.find(|folded| matches!(folded.stop, Stop::StepLimit | Stop::Crushed));
     if let Some(folded) = limited {
-        told.errors.push(summary::not_converged(input, folded, settings.solver_name, settings.tolerance));
+        let crushed = !crushed_triangles(&model, &folded.state.positions).is_empty();
+        told.errors.push(summary::not_converged(input, folded, crushed, settings.solver_name, settings.tolerance));
     }
-    Ok((if limited.is_some() { Exit::NotConverged } else { Exit::Done }, Report::Folded(Box::new(run))))
+    let exit = if limited.is_some() { Exit::NotConverged } else { Exit::Done };
+    Ok((exit, Some(Report::Folded(Box::new(run)))))
+}
+
+/// Places of vertices that all states of an input may have together: some gigabytes.
+const MOST_PLACES: usize = 1 << 26;
+
+/// Whether memory holds all states.
+fn check_room(settings: &Settings, model: &Model) -> Result<(), Error> {
+    let (stages, nodes) = (settings.stages(), model.node_count().max(1));
+    if stages <= MOST_PLACES / nodes || stages == 1 {
+        return Ok(());
+    }
+    let problem = format!("{stages} states of {nodes} vertices are more than can be held");
+    Err(Error::invalid("--frames", problem, format!("at most {} states", MOST_PLACES / nodes)))
+}
+
+/// Draws nothing but the pattern.
+fn draw_pattern(
+    targets: &[Target],
+    settings: &Settings,
+    (template, pattern, model): (&Template, &CreasePattern, &Model),
+) -> Result<(), Error> {
+    let artist = Artist::new(settings.style.clone().unwrap_or_default(), None);
+    let sheet = Sheet { template, pattern, model, states: &[], animated: false, artist: &artist, fps: None };
+    targets.iter().try_for_each(|target| files::write(target, &sheet).map(|_| ()))
 }
 
 /// Writes one target and says which files it is, and what is not in them as it was asked for.
@@ -183,6 +240,7 @@ fn write(
         let states = sheet.states_of(Format::Film);
         let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
         let mut drawn = |drawn, of| observe(Seen::Pictures(drawn, of));
+        files::make_folder(target)?;
         return Ok((draw::film(sheet.artist, subject, settings.film, path, &mut drawn)?, None));
     }
     let warning = files::write(target, sheet)?;

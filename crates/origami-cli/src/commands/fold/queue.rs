@@ -7,6 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use super::summary::Told;
 use crate::console;
 use crate::progress::ProgressLine;
+use crate::text::plain;
 
 /// Holds back what came too early.
 pub(super) struct Queue<'a> {
@@ -66,7 +67,7 @@ impl<'a> Queue<'a> {
         told.errors.iter().for_each(|error| console::error(error));
         match &told.summary {
             Some(summary) if !self.quiet && self.stdout_taken => console::say(summary),
-            Some(summary) if !self.quiet => console::print(format!("{summary}\n").as_bytes())?,
+            Some(summary) if !self.quiet => console::print_text(&format!("{}\n", plain(summary)))?,
             _ => {}
         }
         Ok(())

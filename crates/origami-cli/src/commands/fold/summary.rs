@@ -17,6 +17,14 @@ pub(super) struct Told {
     pub(super) warnings: Vec<Warning>,
     pub(super) errors: Vec<String>,
     pub(super) summary: Option<String>,
+    /// Files, as long as there is no report that has them.
+    pub(super) written: Vec<String>,
+}
+
+/// Where only the crease pattern is drawn.
+pub(super) fn not_folded(input: &Input, seconds: f64) -> String {
+    let time = duration(Duration::from_secs_f64(seconds));
+    format!("{input}: the crease pattern is drawn, and nothing is folded, {time}")
 }
 
 /// Such as `bird.fold: folded to 90 % in 1 240 steps, converged (distance 3.0e-5 of the radius), strain mean 0.41 %
@@ -31,7 +39,7 @@ pub(super) fn line(run: &Run) -> String {
     line += match measured.stop {
         Ending::Converged => "converged",
         Ending::StepsDone => "as many as asked",
-        Ending::StepLimit | Ending::Failed | Ending::Diverged => "not converged",
+        Ending::StepLimit | Ending::Crushed | Ending::Failed | Ending::Diverged => "not converged",
     };
     line += &match measured.distance {
         Some(distance) if distance.is_finite() => format!(" (distance {} of the radius)", short(distance)),
@@ -54,8 +62,22 @@ pub(super) fn line(run: &Run) -> String {
     line + &format!(", {}", duration(Duration::from_secs_f64(total)))
 }
 
-/// The step limit came first.
-pub(super) fn not_converged(input: &Input, folded: &Folded, solver: SolverName, tolerance: f64) -> String {
+/// The step limit came first, or a triangle was crushed, which more steps do not mend.
+pub(super) fn not_converged(
+    input: &Input,
+    folded: &Folded,
+    crushed: bool,
+    solver: SolverName,
+    tolerance: f64,
+) -> String {
+    if crushed {
+        return format!(
+            "{input}: not converged at {} % after {} steps: a triangle is crushed to a line, where forces have no rest; the \
+             output says so",
+            plain(percent_of(folded)),
+            grouped(folded.steps),
+        );
+    }
     if solver == SolverName::Newton {
         return format!(
             "{input}: not converged at {} % after {} steps: the largest force is {}; the output says so; \

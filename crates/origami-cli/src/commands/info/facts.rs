@@ -11,6 +11,7 @@ use origami::{Error, Warning};
 use serde::Serialize;
 use serde_json::Value;
 
+use super::flat::FlatFacts;
 use crate::files::{Input, Opened};
 use crate::report::{Note, SceneFacts};
 use crate::settings::scene_warnings;
@@ -23,6 +24,8 @@ pub(super) struct Facts {
     pub(super) file: Option<File>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) pattern: Option<Pattern>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) flat: Option<FlatFacts>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) model: Option<ModelFacts>,
     pub(super) warnings: Vec<Note>,
@@ -93,6 +96,7 @@ impl Facts {
         let pattern = CreasePattern::from_frame(&frame)?;
         self.spoken_warnings.extend_from_slice(&pattern.warnings);
         self.pattern = Some(Pattern::of(&pattern));
+        self.flat = Some(FlatFacts::of(&pattern));
         let model = Model::new(&pattern, material)?;
         self.spoken_warnings.extend(scene_warnings(&pattern, &model, &[100.0], None));
         let steps = TimeSteps {

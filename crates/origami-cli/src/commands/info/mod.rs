@@ -1,6 +1,7 @@
 //! `origami info`: as much of a file as can be told, and why not more.
 
 mod facts;
+mod flat;
 mod text;
 
 use crate::args::InfoArgs;
@@ -14,14 +15,13 @@ use facts::Facts;
 pub(super) fn run(args: &InfoArgs) -> Result<Exit, Failure> {
     let input = Input::new(&args.input, &Reading::new(&args.reading)?);
     let facts = Facts::gather(&input, args.frame, &args.material.material());
-    let text = if args.json {
+    if args.json {
         let mut text = serde_json::to_vec_pretty(&facts).map_err(|error| error.to_string())?;
         text.push(b'\n');
-        text
+        console::print(&text)?;
     } else {
-        text::of(&facts).into_bytes()
-    };
-    console::print(&text)?;
+        console::print_text(&text::of(&facts))?;
+    }
     match facts.error {
         None => Ok(Exit::Done),
         Some(error) => {

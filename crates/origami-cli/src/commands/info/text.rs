@@ -7,25 +7,27 @@ use serde_json::Value;
 
 use super::facts::{Facts, File, ModelFacts, Pattern};
 use crate::numbers::{self, count, grouped, short};
+use crate::text::{brief, plain};
 
 /// One line a fact, those of one kind under a heading.
 pub(super) fn of(facts: &Facts) -> String {
-    let mut text = format!("{}\n", facts.input);
+    let mut text = format!("{}\n", plain(&facts.input));
     // Writing to a string cannot fail.
     let _ = facts.file.iter().try_for_each(|part| file(&mut text, part));
     let _ = facts.pattern.iter().try_for_each(|part| pattern(&mut text, part));
+    let _ = facts.flat.iter().try_for_each(|part| part.tell(&mut text));
     let _ = facts.model.iter().try_for_each(|part| model(&mut text, part));
     for warning in &facts.spoken_warnings {
-        let _ = writeln!(text, "  warning     {warning}");
+        let _ = writeln!(text, "  warning     {}", plain(&warning.to_string()));
     }
     text
 }
 
 fn file(text: &mut String, file: &File) -> std::fmt::Result {
-    let spec = file.spec.as_ref().map_or_else(|| "version not given".to_owned(), plain);
+    let spec = file.spec.as_ref().map_or_else(|| "version not given".to_owned(), shown);
     let format = match file.format.strip_prefix("FOLD") {
         Some(packed) => format!("FOLD{}{spec}{packed}", if file.spec.is_some() { " " } else { ", " }),
-        None => file.format.clone(),
+        None => plain(&file.format).into_owned(),
     };
     write!(text, "  file        {format}, {}", count(file.frames, "frame", "frames"))?;
     if file.frames > 1 {
@@ -34,16 +36,17 @@ fn file(text: &mut String, file: &File) -> std::fmt::Result {
     writeln!(text)?;
     for (name, value) in [("title", &file.title), ("creator", &file.creator)] {
         if let Some(value) = value {
-            writeln!(text, "  {name:<11} {}", plain(value))?;
+            writeln!(text, "  {name:<11} {}", shown(value))?;
         }
     }
-    let number = |n: Option<usize>| n.map_or_else(|| "no".to_owned(), |n| grouped(n as u64));
+    let number =
+        |n: Option<usize>, one: &str, many: &str| n.map_or_else(|| format!("no {many}"), |n| count(n, one, many));
     write!(text, "  as written  {}", count(file.vertices, "vertex", "vertices"))?;
-    write!(text, ", {} edges", number(file.edges))?;
+    write!(text, ", {}", number(file.edges, "edge", "edges"))?;
     if let Some(letters) = &file.letters {
         write!(text, "{}", bracketed(letters))?;
     }
-    writeln!(text, ", {} faces", number(file.faces))
+    writeln!(text, ", {}", number(file.faces, "face", "faces"))
 }
 
 fn pattern(text: &mut String, pattern: &Pattern) -> std::fmt::Result {
@@ -84,12 +87,12 @@ fn bracketed(letters: &BTreeMap<impl std::fmt::Display, usize>) -> String {
     if letters.is_empty() {
         return String::new();
     }
-    let counts: Vec<String> = letters.iter().map(|(letter, count)| format!("{letter} {count}")).collect();
+    let counts: Vec<String> =
+        letters.iter().map(|(letter, count)| format!("{} {count}", brief(&letter.to_string()))).collect();
     format!(" ({})", counts.join(", "))
 }
 
-/// Text without its quotation marks and without characters that would steer a terminal.
-fn plain(value: &Value) -> String {
-    let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+/// Text without its quotation marks, as much as a line holds.
+fn shown(value: &Value) -> String {
+    value.as_str().map_or_else(|| brief(&value.to_string()), brief)
 }

@@ -6,7 +6,6 @@ use origami::pattern::keys::PERCENT;
 use origami::{CreasePattern, Error, Material, Model, State};
 
 use crate::args::MapName;
-use crate::files::Input;
 
 /// A frame, read.
 pub(super) struct Lying {
@@ -26,19 +25,17 @@ pub(super) struct Lying {
 }
 
 impl Lying {
-    /// Frame `frame`, or the file's own choice.
+    /// Frame `frame`.
     ///
     /// # Errors
-    /// As for reading, and for what makes no pattern.
-    pub(super) fn read(input: &Input, frame: Option<usize>) -> Result<Self, Error> {
-        let document = input.read()?;
-        let frame = frame.map_or_else(|| document.pattern_frame(), Ok)?;
+    /// As for what makes no pattern.
+    pub(super) fn of(document: &Document, frame: usize) -> Result<Self, Error> {
         let written = document.frame(frame)?;
-        let drawn = CreasePattern::from_document(&document, frame)?;
+        let drawn = CreasePattern::from_document(document, frame)?;
         let is_folded = written.classes.iter().flatten().any(|class| class == "foldedForm");
         let is_pattern = drawn.is_flat() && !is_folded;
         let percent = written.extra.get(PERCENT).and_then(serde_json::Value::as_f64);
-        let (pattern, model, folded) = match Self::at_rest(&document, frame, &written) {
+        let (pattern, model, folded) = match Self::at_rest(document, frame, &written) {
             Some((pattern, model, folded)) => (pattern, model, Some(folded)),
             None => (drawn.clone(), Model::new(&drawn, &Material::default())?, None),
         };

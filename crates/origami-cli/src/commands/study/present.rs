@@ -6,7 +6,7 @@ use std::time::Duration;
 use origami::study::{Options, StudyError, Watch, accuracy, stability};
 
 use super::{folder, patterns};
-use crate::args::{ADAPTER_VARIABLE, BackendName, StudyArgs, StudyBackend, StudyName};
+use crate::args::{BackendName, StudyArgs, StudyBackend, StudyName, is_named};
 use crate::backend::Backend;
 use crate::console;
 use crate::exit::{Exit, Failure};
@@ -34,12 +34,8 @@ pub(in crate::commands) fn run(args: &StudyArgs) -> Result<Exit, Failure> {
         StudyName::Stability => "stability.md",
     };
     folder::make(&args.output, document)?;
-    if !args.quiet {
-        // What the environment names is meant for other runs.
-        let named = args.adapter.is_some() && args.adapter != std::env::var(ADAPTER_VARIABLE).ok();
-        if named && args.backend == StudyBackend::Cpu {
-            console::warning("--adapter has no effect with --backend cpu");
-        }
+    if !args.quiet && is_named(args.adapter.as_deref()) && args.backend == StudyBackend::Cpu {
+        console::warning("--adapter has no effect with --backend cpu");
     }
 
     let mut watch = Stopwatch::start();
@@ -53,7 +49,7 @@ pub(in crate::commands) fn run(args: &StudyArgs) -> Result<Exit, Failure> {
     let paths = done.and_then(|study| study.write(&args.output)).map_err(failure)?;
     if !args.quiet {
         let seconds = Duration::from_secs_f64(watch.lap());
-        console::print(format!("{}\n", summary(&args.output, &paths, follower.runs, seconds)).as_bytes())?;
+        console::print_text(&format!("{}\n", summary(&args.output, &paths, follower.runs, seconds)))?;
     }
     Ok(Exit::Done)
 }

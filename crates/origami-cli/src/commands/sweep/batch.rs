@@ -1,21 +1,22 @@
 //! So many sheets at once as memory holds.
 
 use std::ops::ControlFlow;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use origami::export::Template;
 use origami::measure::attitude::{self, Hold};
 use origami::model::{Inventory, Model};
-use origami::solve::{Failed, Folded, Instance, Point, Solver, Sweep};
+use origami::solve::{Failed, Folded, Instance, Point, Progress, Solver, Sweep};
 use origami::{CreasePattern, Error, Warning};
 use rayon::prelude::*;
 
 use super::folder::Folder;
+use super::ledger::Ledger;
 use super::shares::Shares;
 use crate::draw::Artist;
 use crate::files::{self, Destination, Sheet, Target};
 use crate::progress::ProgressLine;
-use crate::report::{Divergence, Ending, Measured, Row, SceneFacts, Seconds, Varied};
+use crate::report::{Divergence, Ending, Measured, Row, SceneFacts, Varied};
 use crate::settings::scene_warnings;
 use crate::stopwatch::Stopwatch;
 
@@ -38,87 +39,149 @@ pub(super) struct Work<'a> {
     pub(super) on_gpu: Option<f64>,
 }
 
-/// What came of it.
+/// Some of the sheets.
+#[derive(Clone, Copy)]
+struct Batch<'a> {
+    points: &'a [Point],
+    models: &'a [Model],
+    /// The place of the first.
+    begun: usize,
+    /// So many sheets of all have rows already.
+    taken: usize,
+}
+
+/// What is known of all sheets.
 #[derive(Default)]
-pub(super) struct Done {
-    pub(super) rows: Vec<Row>,
-    pub(super) scenes: Vec<SceneFacts>,
-    /// The message of the first sheet that diverged.
-    pub(super) first_divergence: Option<String>,
+pub(super) struct Known {
+    /// The message of the first sheet that diverged, with its place.
+    pub(super) first_divergence: Option<(usize, String)>,
     /// What is dangerous about them, each once.
     pub(super) scene_warnings: Vec<Warning>,
     inventories: Vec<Inventory>,
 }
 
+impl Known {
+    fn diverged(&mut self, index: usize, message: Option<String>) {
+        let Some(message) = message else { return };
+        if self.first_divergence.as_ref().is_none_or(|(first, _)| index < *first) {
+            self.first_divergence = Some((index, message));
+        }
+    }
+}
+
 impl Work<'_> {
-    /// Folds all `count` sheets, in batches; nothing depends on how large these are. `seconds` is added to.
+    /// Folds all `count` sheets but the first `taken`, which have rows, in batches; nothing depends on how large these are.
+    /// `begin` makes the ledger, once there is something to be written; it stays in its place, whatever comes.
     ///
     /// # Errors
     /// From a model that cannot be built, or a file that cannot be written.
-    pub(super) fn run(&self, count: usize, seconds: &mut Seconds) -> Result<Done, Error> {
+    pub(super) fn run(
+        &self,
+        count: usize,
+        taken: usize,
+        begin: impl FnOnce() -> Result<Ledger, Error>,
+        place: &mut Option<Ledger>,
+    ) -> Result<Known, Error> {
         let size = (NODES_AT_ONCE / self.pattern.vertices.len().max(1)).max(rayon::current_num_threads());
         let points: Vec<Point> = self.sweep.points().collect();
         let shares = Shares::new(count);
-        let mut done = Done::default();
-        for batch in points.chunks(size) {
-            self.batch(batch, &shares, &mut done, seconds)?;
+        (0..taken).for_each(|i| self.line.show_sheets(shares.advance(i, 1.0)));
+        let mut known = Known::default();
+        let mut begin = Some(begin);
+        for (i, points) in points.chunks(size).enumerate() {
+            let watch = Stopwatch::start();
+            let models = self.models(points)?;
+            if let Some(begin) = begin.take() {
+                // A face that is not there is refused before the work.
+                models.first().map(|model| attitude::motion(model, &model.rest, self.hold)).transpose()?;
+                *place = Some(begin()?);
+            }
+            let Some(ledger) = place.as_mut() else { break };
+            let batch = Batch { points, models: &models, begun: i * size, taken };
+            self.batch(&batch, &shares, &mut known, ledger, watch)?;
         }
-        Ok(done)
+        place.as_mut().map_or(Ok(()), Ledger::flush)?;
+        Ok(known)
     }
 
-    fn batch(&self, points: &[Point], shares: &Shares, done: &mut Done, seconds: &mut Seconds) -> Result<(), Error> {
-        let (Some(first), Some(last)) = (points.first(), points.last()) else { return Ok(()) };
-        let mut watch = Stopwatch::start();
-        // The material varies slowest.
-        let models = Model::of_each(self.pattern, &self.sweep.materials[first.material..=last.material])?;
-        if done.rows.is_empty() {
-            // A face that is not there is refused before the work.
-            attitude::motion(&models[0], &models[0].rest, self.hold)?;
-            // Not before it is known that there is something to be written.
-            self.folder.make()?;
-        }
-        let scenes: Vec<usize> = models.iter().map(|model| self.scene(model, done)).collect();
-        let of_batch = |point: &Point| point.material - first.material;
-        let instances: Vec<Instance<'_>> = points.iter().map(|p| p.instance(&models[of_batch(p)])).collect();
-        seconds.build += watch.lap();
+    /// A model for each material, which varies slowest.
+    fn models(&self, points: &[Point]) -> Result<Vec<Model>, Error> {
+        let (Some(first), Some(last)) = (points.first(), points.last()) else { return Ok(Vec::new()) };
+        Model::of_each(self.pattern, &self.sweep.materials[first.material..=last.material])
+    }
 
-        let begun = done.rows.len();
-        let observe = |i: usize, progress: origami::solve::Progress| {
-            self.line.show_sheets(shares.advance(begun + i, progress.ramp));
-            ControlFlow::Continue(())
-        };
-        let folded = self.solver.fold_all(&instances, &observe);
-        seconds.solve += watch.lap();
+    fn batch(
+        &self,
+        batch: &Batch<'_>,
+        shares: &Shares,
+        known: &mut Known,
+        ledger: &mut Ledger,
+        mut watch: Stopwatch,
+    ) -> Result<(), Error> {
+        let Batch { points, models, begun, taken } = *batch;
+        let first = points.first().map_or(0, |point| point.material);
+        let scenes: Vec<usize> = models.iter().map(|model| self.scene(model, known, &mut ledger.scenes)).collect();
+        // What has rows already is only counted.
+        let skipped = taken.saturating_sub(begun).min(points.len());
+        let (points, begun) = (&points[skipped..], begun + skipped);
+        let instances: Vec<Instance<'_>> = points.iter().map(|p| p.instance(&models[p.material - first])).collect();
+        ledger.seconds.build += watch.lap();
 
-        let each = points.par_iter().zip(&instances).zip(folded).enumerate();
-        let rows = each.map(|(i, ((point, instance), folded))| {
-            self.line.show_sheets(shares.advance(begun + i, 1.0));
-            self.row(begun + i, scenes[of_batch(point)], point, instance, folded)
+        let written = Mutex::new((ledger, 0.0, known));
+        let lock = || written.lock().unwrap_or_else(PoisonError::into_inner);
+        // A GPU takes all at once; on the processor each is handed over as soon as it is folded, in order as far as they
+        // are equally long.
+        let size = if self.on_gpu.is_some() { points.len().max(1) } else { 1 };
+        let parts = instances.chunks(size).enumerate().par_bridge();
+        let done = parts.try_for_each(|(part, instances)| {
+            let begun = begun + part * size;
+            let observe = |i: usize, progress: Progress| {
+                self.line.show_sheets(shares.advance(begun + i, progress.ramp));
+                ControlFlow::Continue(())
+            };
+            let folded = self.solver.fold_all(instances, &observe);
+            let of_part = instances.par_iter().zip(&points[part * size..]).zip(folded).enumerate();
+            of_part.try_for_each(|(i, ((instance, point), folded))| {
+                let mut watch = Stopwatch::start();
+                let index = begun + i;
+                self.line.show_sheets(shares.advance(index, 1.0));
+                let (row, divergence) = self.row(index, scenes[point.material - first], point, instance, folded)?;
+                let mut kept = lock();
+                let (ledger, write, known) = &mut *kept;
+                known.diverged(index, divergence);
+                ledger.push(row)?;
+                *write += watch.lap();
+                Ok::<(), Error>(())
+            })
         });
-        for row in rows.collect::<Vec<_>>() {
-            let (row, divergence) = row?;
-            done.rows.push(row);
-            done.first_divergence = done.first_divergence.take().or(divergence);
+        let (ledger, write, _) = written.into_inner().unwrap_or_else(PoisonError::into_inner);
+        // Threads wait for each other to write: their times overlap.
+        let all = watch.lap();
+        let write = all.min(write);
+        ledger.seconds.write += write;
+        ledger.seconds.solve += all - write;
+        if done.is_err() {
+            // What is done before it is kept; the first error is told.
+            let _ = ledger.flush();
         }
-        seconds.write += watch.lap();
-        Ok(())
+        done
     }
 
     /// The place of the model's scene among those seen so far.
-    fn scene(&self, model: &Model, done: &mut Done) -> usize {
+    fn scene(&self, model: &Model, known: &mut Known, scenes: &mut Vec<SceneFacts>) -> usize {
         let inventory = self.solver.inventory(model);
-        let seen = done.inventories.iter().position(|other| *other == inventory);
+        let seen = known.inventories.iter().position(|other| *other == inventory);
         seen.unwrap_or_else(|| {
             let of_scene = scene_warnings(self.pattern, model, &self.sweep.percents, self.on_gpu);
             let warnings: Vec<Warning> = self.pattern.warnings.iter().chain(&of_scene).cloned().collect();
-            done.scenes.push(SceneFacts::new(self.pattern, model, &inventory, &warnings));
+            scenes.push(SceneFacts::new(self.pattern, model, &inventory, &warnings));
             of_scene.into_iter().for_each(|warning| {
-                if !done.scene_warnings.contains(&warning) {
-                    done.scene_warnings.push(warning);
+                if !known.scene_warnings.contains(&warning) {
+                    known.scene_warnings.push(warning);
                 }
             });
-            done.inventories.push(inventory);
-            done.scenes.len() - 1
+            known.inventories.push(inventory);
+            scenes.len() - 1
         })
     }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use origami::Error;
 
-use crate::files::{Destination, Format, Input};
+use crate::files::{Format, Input, is_same_file};
 
 /// The two tables.
 const CSV: &str = "sweep.csv";
@@ -59,8 +59,10 @@ impl<'a> Folder<'a> {
         if file.is_dir() {
             return Err(format!("{shown}: is a folder; expected a file or nothing there"));
         }
-        let is = |input: &Path| Destination::File(file.to_owned()).is(&Destination::File(input.to_owned()));
-        if input.file().is_some_and(is) {
+        if !file.is_file() && (file == self.csv() || file == self.json()) {
+            return Err(format!("{shown}: is no file that can grow; expected one or nothing there"));
+        }
+        if input.file().is_some_and(|input| is_same_file(input, file)) {
             return Err(format!("{input}: would be replaced by the sweep; expected another folder"));
         }
         Ok(())

@@ -1,43 +1,56 @@
 //! `origami sweep`: one pattern in many ways.
 
 mod batch;
+mod fingerprint;
 mod folder;
+mod ledger;
+mod resume;
 mod shares;
 mod summary;
+#[cfg(test)]
+mod testing;
 
 use std::sync::OnceLock;
 
-use origami::CreasePattern;
-use origami::export::{Template, write_whole};
+use origami::export::Template;
+use origami::solve::Sweep;
+use origami::{CreasePattern, Error, Material, Model};
 
 use crate::args::PictureArgs;
 use crate::args::SweepArgs;
+use crate::backend::Computer;
 use crate::console;
-use crate::draw::Style;
+use crate::draw::{self, Style};
 use crate::exit::{Exit, Failure};
-use crate::files::{Input, Reading};
+use crate::files::{self, Input, Reading};
+use crate::numbers::grouped;
+use crate::oddities;
 use crate::progress::ProgressLine;
-use crate::report::{self, Seconds, Table, write_csv, write_json};
+use crate::report::{self, Asked, Head, Seconds, Table};
 use crate::settings;
 use crate::stopwatch::Stopwatch;
+use crate::text::plain;
+use crate::threads;
 
 use batch::Work;
 use folder::Folder;
+use ledger::Ledger;
 use summary::Counts;
 
 /// Folds all sheets and writes the tables.
 pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     // The perturbation comes with the instances.
     let method = settings::method(&args.solving, Some(0.0))?;
-    let backend = settings::backend(&args.solving)?;
+    let backend = settings::backend(&args.solving, &args.named_material())?;
     let (sweep, count) = args.sweep()?;
-    if args.folded.iter().any(|format| format.is_drawn()) {
-        Style::new(&PictureArgs::default())?;
-    }
+    let style = args.folded.iter().any(|format| format.is_drawn()).then(|| Style::new(&PictureArgs::default()));
+    let style = style.transpose()?;
     let input = Input::new(&args.input, &Reading::new(&args.reading)?);
     let folder = Folder::new(&args.output, &args.folded, count, &input)?;
+    files::refuse_unwritable([folder.csv(), folder.json()].iter().map(|path| path.as_path()))?;
+    files::tidy([folder.csv().as_path()]);
     if !args.quiet {
-        settings::oddities_of_sweep(args, &sweep.percents).iter().for_each(console::warning);
+        oddities::of_sweep(args, &sweep).iter().for_each(console::warning);
     }
 
     let mut watch = Stopwatch::start();
@@ -48,10 +61,19 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let pattern = CreasePattern::from_document(&document, frame).map_err(told)?;
     let template = Template::new(&document, frame, &pattern).map_err(told)?;
     drop(document);
+    if let Some(style) = &style {
+        check_drawable(args, style, &pattern).map_err(told)?;
+    }
     // A GPU is filled by all sheets together.
     let computer = backend.choose(&method, pattern.vertices.len().saturating_mul(count));
     if !args.quiet {
         pattern.warnings.iter().chain(&computer.warning).for_each(console::warning);
+    }
+    let head = head(args, &input, &pattern, &sweep, count, &computer);
+    let rows = if args.resume { resume::rows(&folder.json(), &head)? } else { Vec::new() };
+    let taken = rows.len();
+    if args.resume && !args.quiet {
+        console::say(&resumed(taken, count));
     }
     seconds.build = watch.lap();
 
@@ -67,38 +89,97 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         hold: args.hold.unwrap_or_default(),
         on_gpu: computer.adapter.is_some().then_some(args.solving.tolerance),
     };
-    let threads = args.threads.map_or(0, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads::count(args.threads)).build();
     let pool = pool.map_err(|error| format!("cannot start threads: {error}"))?;
-    let done = pool.install(|| work.run(count, &mut seconds));
-    line.finish();
-    let done = done.map_err(told)?;
-    if !args.quiet {
-        done.scene_warnings.iter().chain(work.told.get()).for_each(console::warning);
-    }
-
-    watch.lap();
-    let mut table = Table {
-        input: input.to_string(),
-        solver: args.solving.solver.name(),
-        backend: if computer.adapter.is_some() { "gpu" } else { "cpu" },
-        precision: args.solving.precision_name(computer.adapter.is_some()),
-        adapter: computer.adapter,
-        tolerance: args.solving.tolerance,
-        attitude: report::attitude(&pattern, work.hold),
-        scenes: done.scenes,
-        instances: done.rows,
-        seconds,
+    let begin = || {
+        folder.make()?;
+        Ledger::begin([folder.csv(), folder.json()], &head, rows, count, seconds)
     };
-    write_whole(folder.csv(), |writer| write_csv(writer, &table.instances))?;
-    table.seconds.write += watch.lap();
-    write_whole(folder.json(), |writer| write_json(writer, &table))?;
+    let mut ledger = None;
+    let done = pool.install(|| work.run(count, taken, begin, &mut ledger));
+    line.finish();
+    let known = done.map_err(|error| broken_off(&input, &error, ledger.as_ref(), count))?;
+    if !args.quiet {
+        known.scene_warnings.iter().chain(work.told.get()).for_each(console::warning);
+    }
+    let (instances, seconds) = ledger.map(Ledger::into_rows).unwrap_or_default();
+    let table = Table { head, instances, seconds };
 
     let counts = Counts::of(&table.instances);
     let advice = settings::advice(args.solving.solver, args.solving.time_step());
-    counts.complaints(&table, done.first_divergence.as_deref(), advice).iter().for_each(|error| console::error(error));
+    let divergence = known.first_divergence.as_ref().map(|(index, message)| (*index, message.as_str()));
+    counts.complaints(&table, divergence, advice).iter().for_each(|error| console::error(error));
     if !args.quiet {
-        console::print(format!("{}\n", counts.line(&table)).as_bytes())?;
+        console::print_text(&format!("{}\n", plain(&counts.line(&table))))?;
     }
     Ok(counts.exit())
+}
+
+/// Nothing is folded for pictures that cannot be.
+fn check_drawable(args: &SweepArgs, style: &Style, pattern: &CreasePattern) -> Result<(), Error> {
+    let model = Model::new(pattern, &Material::default())?;
+    args.folded.iter().try_for_each(|format| draw::check_drawable(*format, style, pattern, &model, 1))
+}
+
+/// All that rows depend on.
+fn head(
+    args: &SweepArgs,
+    input: &Input,
+    pattern: &CreasePattern,
+    sweep: &Sweep,
+    count: usize,
+    computer: &Computer,
+) -> Head {
+    let solving = &args.solving;
+    let grid = args.grid();
+    let settings = Asked {
+        version: env!("CARGO_PKG_VERSION"),
+        pattern: fingerprint::of(pattern),
+        count,
+        percents: sweep.percents.clone(),
+        perturbations: sweep.perturbations.clone(),
+        seeds: sweep.seeds,
+        ea: grid.ea,
+        k_fold: grid.k_fold,
+        k_facet: grid.k_facet,
+        k_face: grid.k_face,
+        zeta: grid.zeta,
+        max_steps: solving.max_steps,
+        steps: solving.steps,
+        ramp: solving.ramp,
+        residual: solving.residual,
+        time_step: solving.time_step_name(),
+        integrator: solving.integrator_name(),
+        folded: args.folded.iter().map(|format| format.extension()).collect(),
+    };
+    Head {
+        input: input.to_string(),
+        solver: solving.solver.name(),
+        backend: if computer.adapter.is_some() { "gpu" } else { "cpu" },
+        precision: solving.precision_name(computer.adapter.is_some()),
+        adapter: computer.adapter.clone(),
+        tolerance: solving.tolerance,
+        attitude: report::attitude(pattern, args.hold.unwrap_or_default()),
+        settings,
+    }
+}
+
+/// What is taken from before.
+fn resumed(taken: usize, count: usize) -> String {
+    match taken {
+        0 => "there are no rows to go on from: all are made".to_owned(),
+        _ => format!("{} of {} rows are taken from before", grouped(taken as u64), grouped(count as u64)),
+    }
+}
+
+/// What ended a sweep early, and what is left of it.
+fn broken_off(input: &Input, error: &Error, ledger: Option<&Ledger>, count: usize) -> String {
+    let told = input.describe(error);
+    match ledger.map_or(0, Ledger::written) {
+        0 => told,
+        rows => {
+            let (rows, count) = (grouped(rows as u64), grouped(count as u64));
+            format!("{told}; {rows} of {count} rows are in the tables, and --resume goes on from there")
+        }
+    }
 }

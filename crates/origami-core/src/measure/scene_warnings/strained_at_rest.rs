@@ -7,7 +7,7 @@ use crate::solve::Folded;
 
 /// Largest strain of a sheet that has come to rest where it was asked to. Of the generated patterns at 100 %, those that can
 /// have all their angles end below 1e-6, those that cannot above 7e-3.
-const STRAINED: f64 = 1e-3;
+pub(super) const STRAINED: f64 = 1e-3;
 
 /// A warning if the sheet came to rest at 100 % of its angles (or -100 %), and is strained there: not all creases can have
 /// their angles together, whether the letters cannot fold or the sheet is caught in another state.

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::draft::{Draft, DraftEdge, GivenAngle, Origin};
 use super::letters::Letter;
+use super::level;
 use super::notes::Notes;
 use super::sides::{Side, Sides};
 use crate::error::{Short, WarningCode};
@@ -187,7 +188,7 @@ fn measure(draft: &mut Draft, sides: &Sides, keys: Keys) -> Option<Vec<Option<f6
     if angles.iter().flatten().any(|angle| angle.abs() > NEARLY) {
         return Some(angles);
     }
-    if keys.letters && !keys.angles {
+    if keys.letters && !keys.angles && level::turn(&draft.points).is_some() {
         let message = "the sheet lies flat in a tilted plane: nothing to measure";
         draft.notes.add_once(WarningCode::TiltedPlane, "vertices_coords", message);
     }

@@ -6,12 +6,17 @@ use super::letters::Letter;
 use super::notes::Notes;
 use crate::csr::Csr;
 use crate::error::{Place, WarningCode};
+use crate::pattern::joins::Join;
 
 /// A pattern in the making.
 #[derive(Debug)]
 pub(super) struct Draft {
     /// Positions, scaled by a power of two (so exactly) to a size between 1/2 and 1.
     pub(super) points: Vec<DVec3>,
+    /// What leads from the file's unit to that of the points.
+    pub(super) scale: f64,
+    /// Within which distance lines are joined, in the unit of the points; `None`: to be found from them.
+    pub(super) join: Option<f64>,
     /// All at one height z.
     pub(super) flat: bool,
     /// The vertex that this one was merged into.
@@ -20,6 +25,8 @@ pub(super) struct Draft {
     pub(super) fixed: Vec<bool>,
     pub(super) edges: Vec<DraftEdge>,
     pub(super) faces: Vec<Vec<u32>>,
+    /// What was joined though it did not touch.
+    pub(super) joins: Vec<Join>,
     pub(super) notes: Notes,
 }
 

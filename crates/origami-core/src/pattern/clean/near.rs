@@ -120,6 +120,13 @@ impl<'a> Near<'a> {
         (from.to_angle() + half, half.abs() + (self.touch / distance).asin() + SLACK)
     }
 
+    /// As [`along`](Self::along), but for ends at hubs.
+    pub(super) fn beside(&self, line: usize, visit: impl FnMut(usize)) {
+        if self.hub[line] == NONE {
+            self.along(line, visit);
+        }
+    }
+
     /// Visits the lines from an end of `line` that its other end may lie on.
     pub(super) fn along(&self, line: usize, mut visit: impl FnMut(usize)) {
         let [a, b] = self.lines[line].map(|v| self.points[v as usize]);

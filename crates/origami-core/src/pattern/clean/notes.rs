@@ -2,7 +2,7 @@
 
 use crate::error::{Place, Warning, WarningCode};
 
-/// Warnings so far; one entry for each code, with its first place.
+/// Warnings so far; mostly one entry for each code, with its first place.
 #[derive(Debug, Default)]
 pub(super) struct Notes(Vec<Note>);
 
@@ -28,10 +28,15 @@ impl Notes {
         self.add_with(code, message, || (Place::entry(key, index), String::new()));
     }
 
+    /// Notes what shall be named even where others of its kind are.
+    pub(super) fn add_one(&mut self, code: WarningCode, place: Place, message: String) {
+        self.0.push(Note { code, place, detail: String::new(), message, more: 0 });
+    }
+
     /// Notes that something of kind `code` was met; `first` gives the place and the value there, and is called for the
     /// first one only.
     pub(super) fn add_with(&mut self, code: WarningCode, message: &str, first: impl FnOnce() -> (Place, String)) {
-        if let Some(note) = self.0.iter_mut().find(|note| note.code == code) {
+        if let Some(note) = self.0.iter_mut().rfind(|note| note.code == code) {
             note.more += 1;
         } else {
             let (place, detail) = first();

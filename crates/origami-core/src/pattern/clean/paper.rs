@@ -8,8 +8,9 @@ use crate::csr::Csr;
 use crate::error::{Error, ErrorCode, Place, WarningCode};
 use crate::pattern::region;
 
-/// Builds the faces of a flat draft whose edges meet at their ends only. `was` says what became of the file's own.
-pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap, was: &str) -> Result<Sides, Error> {
+/// Builds the faces of a flat draft whose edges meet at their ends only. `was` says what became of the file's own, where that
+/// is to be told.
+pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap, was: Option<&str>) -> Result<Sides, Error> {
     let regions = regions(draft);
     let paper = paper(draft, &regions);
     for (walks, _) in regions.loops.iter().zip(&paper).filter(|(_, paper)| **paper) {
@@ -21,8 +22,11 @@ pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap, was: &str) -> Re
     // The region outside is none.
     let holes = paper.iter().skip(1).filter(|paper| !**paper).count();
     let (faces, holes) = (counted(draft.faces.len(), "face"), counted(holes, "hole"));
-    let message = format!("{was}; built from the lines: {faces}, {holes}");
-    draft.notes.add_once(WarningCode::FacesBuilt, "faces_vertices", message);
+    if let Some(was) = was {
+        let message = format!("{was}; built from the lines: {faces}, {holes}");
+        draft.notes.add_once(WarningCode::FacesBuilt, "faces_vertices", message);
+    }
+    note_in_holes(draft, &regions, &paper);
     let sides = sides::collect(draft, map, Some(Letter::Join))?;
     for (edge, _) in sides.iter().enumerate().filter(|(_, pair)| pair[1].is_some()) {
         if draft.edges[edge].letter == Some(Letter::Boundary) {
@@ -33,6 +37,21 @@ pub(super) fn build_faces(draft: &mut Draft, map: &mut EdgeMap, was: &str) -> Re
         }
     }
     Ok(sides)
+}
+
+/// Warns of creases that lie in a hole: as a rule the sheet is taken for a hole in what was drawn around it.
+fn note_in_holes(draft: &mut Draft, regions: &Regions, paper: &[bool]) {
+    let in_hole = |half: usize| {
+        let region = regions.left_of[half] as usize;
+        region != OUTSIDE as usize && paper.get(region) == Some(&false)
+    };
+    let Draft { edges, notes, .. } = draft;
+    for (index, edge) in edges.iter().enumerate().filter(|(_, edge)| edge.alias.is_none()) {
+        if edge.letter.is_some_and(Letter::drives) && in_hole(2 * index) && in_hole(2 * index + 1) {
+            let message = "lies in a hole and folds nothing; is the border around it a frame, and the hole the sheet?";
+            notes.add_with(WarningCode::CreaseInHole, message, || (edge.origin.place("edges_vertices"), String::new()));
+        }
+    }
 }
 
 /// Such as `1 face`, `2 faces`.

@@ -88,6 +88,9 @@ pub enum Stop {
     StepsDone,
     /// The step limit came first.
     StepLimit,
+    /// A triangle has been crushed to a line and stayed so ([`crushed_triangles`](super::crushed_triangles) names it): more
+    /// steps would not bring the sheet to rest.
+    Crushed,
     /// Who watched it broke it off: the state is the one at that moment.
     Cancelled,
 }
@@ -110,7 +113,8 @@ pub struct Folded {
     /// Estimated distance of the farthest vertex from the equilibrium, in radii of the sheet; infinite where there is
     /// no estimate yet.
     pub distance: f64,
-    /// Attempts made: 2 or 3 where the first ended tangled and the sheet was folded again in another way.
+    /// Attempts made: 2 or 3 where the first ended tangled, with a triangle crushed or out of bounds, and the sheet was
+    /// folded again in another way.
     pub attempts: u32,
     /// What the supports do to the held nodes, in the order of the nodes.
     pub reactions: Vec<Reaction>,

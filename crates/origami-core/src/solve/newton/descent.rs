@@ -60,7 +60,7 @@ pub(super) struct Measured {
 pub(super) enum End {
     /// The forces are as small as asked for, or as rounding allows.
     Settled,
-    /// So many factorisations have been made.
+    /// So many factorisations or evaluations have been made.
     Limit,
     /// Nothing leads down any more.
     Stuck,
@@ -91,6 +91,8 @@ pub(super) struct Descent<'m> {
     shift: f64,
     pub(super) factorisations: u32,
     pub(super) evaluations: u64,
+    /// Evaluations that are allowed.
+    most: u64,
 }
 
 impl<'m> Descent<'m> {
@@ -110,13 +112,20 @@ impl<'m> Descent<'m> {
             shift: FIRST,
             factorisations: 0,
             evaluations: 0,
+            most: u64::MAX,
         })
     }
 
-    /// Forgets all but the order of elimination: the same input gives the same bits, whatever came before.
-    pub(super) fn begin(&mut self) {
+    /// Forgets all but the order of elimination: the same input gives the same bits, whatever came before. `most`
+    /// evaluations are allowed from now on.
+    pub(super) fn begin(&mut self, most: u64) {
         self.forces = Forces::in_scene(self.model, &self.scene);
-        (self.shift, self.factorisations, self.evaluations) = (FIRST, 0, 0);
+        (self.shift, self.factorisations, self.evaluations, self.most) = (FIRST, 0, 0, most);
+    }
+
+    /// Whether `limit` factorisations, or as many evaluations as are allowed, have been made.
+    pub(super) fn is_spent(&self, limit: u32) -> bool {
+        self.factorisations >= limit || self.evaluations >= self.most
     }
 
     /// Forgets the shift.
@@ -159,7 +168,7 @@ impl<'m> Descent<'m> {
             }
             before = now.residual;
             loop {
-                if self.factorisations >= limit {
+                if self.is_spent(limit) {
                     return (End::Limit, now);
                 }
                 if self.shift > LARGEST || !now.residual.is_finite() {
@@ -272,7 +281,7 @@ impl<'m> Descent<'m> {
         let mut shift = self.threshold(&now);
         while self.factorise(shift) != Some(0) {
             shift *= RAISE;
-            if shift > LARGEST || self.factorisations >= limit {
+            if shift > LARGEST || self.is_spent(limit) {
                 return false;
             }
         }

@@ -51,6 +51,9 @@ pub struct Newton {
     pub perturbation: f64,
     /// Factorisations after which it gives up. Default 2000.
     pub max_factorisations: u32,
+    /// Force evaluations after which it gives up, those of `relax` included; a step that has begun is ended. Default: no
+    /// limit but that of `relax` for its own.
+    pub max_steps: u64,
 }
 
 impl Default for Newton {
@@ -61,6 +64,7 @@ impl Default for Newton {
             increments: 10,
             perturbation: Relax::default().perturbation,
             max_factorisations: 2000,
+            max_steps: u64::MAX,
         }
     }
 }
@@ -108,6 +112,7 @@ impl Newton {
         let mut start = start.clone();
         scene.place_supports(&mut start.positions);
         let mut descent = descent(model, &start, &scene)?;
+        descent.begin(self.max_steps);
         Ok(self.settle(&mut descent, start, &mut |_, _| ControlFlow::Continue(())))
     }
 
@@ -117,6 +122,7 @@ impl Newton {
     /// [`Failed::Diverged`] where `start` is not finite; [`Failed::Backend`] where the factors do not fit into memory.
     pub fn climb(&self, model: &Model, start: &State, scene: &Scene) -> Result<Equilibrium, Failed> {
         let mut descent = descent(model, start, scene)?;
+        descent.begin(self.max_steps);
         let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
         Ok(self.rise(&mut descent, model, start, targets, &mut unwatched))
     }
@@ -176,7 +182,7 @@ impl Newton {
         }
         descent.scene.place_supports(&mut state.positions);
         let (mut share, mut increment) = (0.0, 1.0 / f64::from(self.increments.max(1)));
-        while share < 1.0 && descent.factorisations < self.max_factorisations {
+        while share < 1.0 && !descent.is_spent(self.max_factorisations) {
             let next = if share + increment > 1.0 - 1e-9 { 1.0 } else { share + increment };
             let mut trial = state.clone();
             for ((target, from), to) in trial.targets.iter_mut().zip(&start.targets).zip(&targets) {
@@ -214,14 +220,19 @@ impl Newton {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
         let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
-        descent.begin();
+        descent.begin(self.max_steps);
         let (reached, steps, attempts) = match &self.relax {
             Some(relax) => {
+                let relax = Relax { max_steps: relax.max_steps.min(self.max_steps), ..relax.clone() };
                 let near = relax.fold(model, start, scene, observe)?;
                 if near.stop == Stop::Cancelled {
                     return Ok(near);
                 }
                 let steps = near.steps;
+                if steps >= self.max_steps {
+                    return Ok(Folded { stop: Stop::StepLimit, time_step: 1.0, ..near });
+                }
+                descent.begin(self.max_steps - steps);
                 let mut observe = |step, distance| observe(Progress { step: steps + step, ramp: 1.0, distance });
                 (self.settle(descent, near.state, &mut observe), steps, near.attempts)
             }

@@ -34,6 +34,37 @@ fn layers_have_their_order_from_everywhere() {
 }
 
 #[test]
+fn soft_shading_looks_as_on_the_processor() {
+    let Some(renderer) = renderer() else { return };
+    for (name, percent) in [("kresling", 90.0), ("miura", 80.0), ("square-twist", 80.0), ("crane", 90.0)] {
+        let flat = figure(name, percent);
+        let mut soft = flat.clone();
+        soft.shade();
+        for projection in [Projection::Orthographic, Projection::Perspective(60.0)] {
+            let picture = Picture { camera: Camera { projection, ..Camera::default() }, ..small() };
+            let far = if projection == Projection::Orthographic { "far" } else { "near" };
+            let on_gpu = renderer.draw(&picture, &soft).unwrap();
+            check(&format!("soft-{name}-{far}"), &on_gpu, &Processor.draw(&picture, &soft).unwrap());
+            let differs = !differ(&on_gpu, &renderer.draw(&picture, &flat).unwrap()).within(&TOLERANCE);
+            assert!(differs, "{name}: softness is seen");
+        }
+    }
+}
+
+#[test]
+fn layers_lie_before_what_hangs_on_them_from_everywhere() {
+    let Some(renderer) = renderer() else { return };
+    for (name, percent) in [("crane", 100.0), ("crane", 99.0), ("miura", 100.0)] {
+        let figure = figure(name, percent);
+        for (azimuth, elevation) in [(-60.0, 35.0), (30.0, 10.0), (150.0, -40.0)] {
+            let picture = Picture { camera: Camera { azimuth, elevation, ..Camera::default() }, ..small() };
+            let name = format!("{name}-{percent}-from-{azimuth}-{elevation}");
+            check(&name, &renderer.draw(&picture, &figure).unwrap(), &Processor.draw(&picture, &figure).unwrap());
+        }
+    }
+}
+
+#[test]
 fn every_style_looks_as_on_the_processor() {
     let Some(renderer) = renderer() else { return };
     let figure = figure("miura", 60.0);

@@ -46,12 +46,7 @@ fn structs_lie_as_in_rust() {
             styles,
         }
     );
-    crate::shader_checks::check_struct(
-        &shader,
-        "Triangle",
-        &[("nodes", 0), ("lifts", std::mem::offset_of!(Triangle, lifts))],
-        size_of::<Triangle>(),
-    );
+    same_layout!(&shader, Triangle { nodes, start, lifts, parts });
     same_layout!(&checked("resolve", RESOLVE), Resolve { ground, factor, size, bare, unused });
     same_layout!(&checked("extremes", EXTREMES), Search { count });
 }

@@ -147,7 +147,8 @@ fn frustrated() -> Vec<Case> {
         case.with("valence", valence as f64).quick(valence == 6)
     };
     let hypar = |degrees: f64| {
-        let pattern = Hypar { rings: 5, angle: degrees.to_radians(), ..Hypar::default() }.pattern();
+        let angle = degrees.to_radians();
+        let pattern = Hypar { rings: 5, angle, alternating: false, ..Hypar::default() }.pattern();
         Case::new(family, "hypar of 5 squares", pattern).with("target in degrees", degrees).sent_to(&[100.0])
     };
     let mut cases: Vec<Case> = (1..=6).map(drawn).collect();

@@ -129,6 +129,7 @@ fn word(folded: &Folded) -> &'static str {
         Stop::Converged => "converged",
         Stop::StepsDone => "steps done",
         Stop::StepLimit => "step limit",
+        Stop::Crushed => "crushed",
         _ => "stopped",
     }
 }

@@ -1,0 +1,84 @@
+//! Creases far from their angles in a sheet that is at rest and not strained: nothing else tells that they have not folded.
+
+use crate::error::{CreasePlace, Place, Warning, WarningCode};
+use crate::flat::{OpenEnd, open_ends};
+use crate::ids::EdgeId;
+use crate::measure::Strain;
+use crate::model::{Crease, Model};
+use crate::pattern::CreasePattern;
+use crate::solve::Folded;
+
+use super::strained_at_rest::STRAINED;
+
+/// How far, in degrees, a crease is from its angle before it is told. Of the generated patterns at 100 %, those that come to
+/// rest without strain have all their creases within 0.1.
+const FAR: f64 = 5.0;
+
+/// A crease with the degrees that it is off its angle.
+struct Off<'m> {
+    crease: &'m Crease,
+    edge: EdgeId,
+    degrees: f64,
+}
+
+/// Warnings of driven creases that are far from their angles: of those that end inside a face at any percentage, of others
+/// where the sheet came to rest at 100 % (or -100 %) without strain. A strained sheet is warned of as such.
+pub(super) fn off_target(pattern: &CreasePattern, model: &Model, folded: &Folded) -> Vec<Warning> {
+    if !folded.converged() {
+        return Vec::new();
+    }
+    let ends = open_ends(pattern);
+    let state = &folded.state;
+    let mut off: Vec<Off<'_>> = { model.creases.iter().zip(&state.fold_angles).zip(&state.targets) }
+        .filter(|((crease, _), _)| crease.stiffness > 0.0 && crease.full_target != crease.rest_angle)
+        .filter_map(|((crease, angle), target)| {
+            let edge = model.mesh.sides[crease.side.index()].edge?;
+            Some(Off { crease, edge, degrees: (angle - target).abs().to_degrees() })
+        })
+        .filter(|off| off.degrees > FAR)
+        .collect();
+    off.sort_by(|a, b| b.degrees.total_cmp(&a.degrees));
+    let end_of = |off: &Off<'_>| ends.iter().find(|end| end.crease == off.edge);
+    let (open, whole): (Vec<Off<'_>>, Vec<Off<'_>>) = off.into_iter().partition(|off| end_of(off).is_some());
+    let mut warnings = Vec::new();
+    if let Some((worst, end)) = open.first().and_then(|worst| Some((worst, end_of(worst)?))) {
+        let message =
+            format!("{}; at rest it is {:.1} degrees off its angle{}", ends_inside(end), worst.degrees, others(&open));
+        warnings.push(Warning::new(WarningCode::OpenCrease, places(model, &open), message));
+    }
+    let is_full = folded.percent().is_some_and(|percent| percent.abs() == 100.0);
+    let unstrained = || Strain::of(model, &state.positions).beams.max <= STRAINED;
+    if let Some(worst) = whole.first().filter(|_| is_full && unstrained()) {
+        let message = format!(
+            "at rest and not strained, and yet {:.1} degrees off its angle{}: something in its way keeps it from folding",
+            worst.degrees,
+            others(&whole)
+        );
+        warnings.push(Warning::new(WarningCode::CreaseOffTarget, places(model, &whole), message));
+    }
+    warnings
+}
+
+/// Where a crease ends, and what it misses.
+fn ends_inside(end: &OpenEnd) -> String {
+    let nearest = match end.nearest {
+        Some((line, distance)) => format!(", {distance:.3e} from the nearest line (edge {})", line.0),
+        None => String::new(),
+    };
+    format!(
+        "ends inside face {} at vertex {}{nearest}, so that the paper around its end cannot fold",
+        end.face.0, end.vertex.0
+    )
+}
+
+fn others(off: &[Off<'_>]) -> String {
+    match off.len() {
+        1 => String::new(),
+        more => format!(", the most of {more} such creases"),
+    }
+}
+
+fn places(model: &Model, off: &[Off<'_>]) -> Place {
+    let ends = |crease: &Crease| [crease.nodes[2], crease.nodes[3]].map(|n| model.mesh.vertex_of_node[n.index()]);
+    Place::Creases(off.iter().map(|off| CreasePlace::new(ends(off.crease), Some(off.edge))).collect())
+}

@@ -3,7 +3,6 @@
 mod bare;
 mod lying;
 
-use std::path::Path;
 use std::time::Duration;
 
 use crate::args::{BackendName, RenderArgs, ViewName};

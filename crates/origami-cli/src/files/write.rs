@@ -14,7 +14,7 @@ use origami::{CreasePattern, Error, Warning};
 use super::{Destination, Format, Target};
 use crate::console;
 use crate::draw::{self, Artist, Subject};
-use crate::numbers::{percent_of, plain};
+use crate::numbers::percent_of;
 
 /// Own key: whether the state is within the tolerance of the equilibrium.
 const CONVERGED: &str = "origami:converged";
@@ -97,7 +97,9 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<Option<Warning
 /// That a sheet at `from` was moved to the origin.
 fn moved(from: DVec3) -> Warning {
     let why = "which its 32 bits cannot hold: it was moved to the origin";
-    let problem = format!("the sheet lies around {} {} {}, {why}", plain(from.x), plain(from.y), plain(from.z));
+    // In full, but for what rounding leaves: what was taken away is to be added again.
+    let [x, y, z] = from.to_array().map(|x| if x.abs() < 1e-9 * from.length() { 0.0 } else { x });
+    let problem = format!("the sheet lies around {x} {y} {z}, {why}");
     Warning::new(WarningCode::Fallback, "STL", problem)
 }
 

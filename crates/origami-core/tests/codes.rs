@@ -39,15 +39,6 @@ fn square(rest: &str) -> Result<CreasePattern, Error> {
 
 const DIAGONAL: &str = r#""edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]]"#;
 
-/// A square with a valley from a corner inwards, and another from there to nowhere.
-fn square_with_a_row_that_ends_inside() -> CreasePattern {
-    let text = r#"{"vertices_coords": [[0, 0], [1, 0], [1, 1], [0, 1], [0.3, 0.3], [0.6, 0.6]],
-        "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [4, 5]],
-        "edges_assignment": ["B", "B", "B", "B", "V", "V"]}"#;
-    let document = Document::from_slice(text.as_bytes()).expect("FOLD");
-    CreasePattern::from_document(&document, 0).expect("a pattern")
-}
-
 fn key(key: &'static str) -> Place {
     Place::key(key)
 }
@@ -240,15 +231,16 @@ fn every_kind_of_warning_has_its_code_and_its_place() {
         let model = model(pattern).expect("a model");
         folded_warnings(pattern, &model, &Relax::default().fold_from_rest(&model, percent).expect("it folds"))
     };
-    // Two creases in a row, the second of which ends inside the face.
-    let row = square_with_a_row_that_ends_inside();
-    let told = of_state(&row, 100.0);
-    for (code, edge) in [(OpenCrease, 5), (CreaseOffTarget, 4)] {
-        let of_code = told.iter().find(|warning| warning.code == code);
-        let place = of_code.unwrap_or_else(|| panic!("no {code} in {told:#?}")).place.clone();
-        assert!(matches!(&place, Place::Creases(all) if all[0].edge == Some(EdgeId(edge))), "{place}");
-        warnings.push((told.clone(), code, place));
-    }
+    let told = of_state(&CreasePattern::read(case("spur_valley")).expect("a pattern"), 100.0);
+    let spur = CreasePlace::new([VertexId(0), VertexId(6)], Some(EdgeId(7)));
+    warnings.push((told, OpenCrease, Place::Creases(vec![spur])));
+    // As if something had kept it from its angle by 0.2.
+    let mut folded = Relax::default().fold_from_rest(&one, 100.0).expect("it folds");
+    folded.state.fold_angles[0] -= 0.2;
+    let mut ends = pattern.edges[crease].vertices;
+    ends.sort_unstable();
+    let place = Place::Creases(vec![CreasePlace::new(ends, Some(EdgeId::new(crease)))]);
+    warnings.push((folded_warnings(&pattern, &one, &folded), CreaseOffTarget, place));
     let told = of_state(&CreasePattern::read(case("vertex5_cannot_close")).expect("a pattern"), 90.0);
     warnings.push((told, CrushedTriangle, Place::Triangles(vec![[VertexId(0), VertexId(1), VertexId(5)]])));
 

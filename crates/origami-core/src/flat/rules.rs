@@ -1,10 +1,9 @@
 //! One vertex before its judges.
 
+use super::rings::Ring;
 use super::{ANGLE_TOLERANCE, Role, big_little_big, kawasaki, maekawa};
 use crate::ids::{EdgeId, VertexId};
 use crate::pattern::CreasePattern;
-
-use super::rings::Ring;
 
 /// A rule of flat folding that a vertex breaks.
 #[derive(Clone, Copy, Debug, PartialEq)]

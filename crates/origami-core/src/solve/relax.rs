@@ -306,7 +306,8 @@ impl Relax {
             Err(Failed::Diverged(_)) => false,
             _ => return None,
         };
-        if if tangled { start.tangled_creases() > 0 } else { is_crushed(model, &start.positions) } {
+        let began_so = if tangled { start.tangled_creases() > 0 } else { is_crushed(model, &start.positions) };
+        if began_so {
             return None;
         }
         let longer = last.ramp.saturating_mul(LONGER_RAMP).max(grown(SECOND_RAMP, model));

@@ -33,7 +33,7 @@ impl Camera {
             places.clone().fold(f64::NEG_INFINITY, f64::max) - places.fold(f64::INFINITY, f64::min)
         };
         let side = face.any_orthonormal_vector();
-        if !(size(face) <= THIN * size(side).max(size(face.cross(side)))) {
+        if size(face) > THIN * size(side).max(size(face.cross(side))) {
             return Self::default();
         }
         if face.z.abs() > 0.999 {

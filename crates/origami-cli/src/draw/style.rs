@@ -146,11 +146,10 @@ pub(crate) fn oddities(args: &PictureArgs) -> Vec<String> {
     if !missing.is_empty() {
         oddities.push(format!("--caption: the font has no {}; drawn as boxes", quoted(&missing)));
     }
-    if let (Some(quantity), Some([width, height]), false) = (args.quantity(), args.size, args.no_legend) {
-        if !legend::fits(Quantity::from(quantity).label(), width, height) {
-            oddities
-                .push(format!("--size {width}x{height}: no room for a colour bar beside the sheet, it is left out"));
-        }
+    if let (Some(quantity), Some([width, height]), false) = (args.quantity(), args.size, args.no_legend)
+        && !legend::fits(Quantity::from(quantity).label(), width, height)
+    {
+        oddities.push(format!("--size {width}x{height}: no room for a colour bar beside the sheet, it is left out"));
     }
     oddities
 }

@@ -37,6 +37,7 @@ pub mod animation;
 pub mod camera;
 pub mod colour;
 pub mod difference;
+mod extent;
 pub mod figure;
 pub mod glb;
 pub mod image;

@@ -8,6 +8,7 @@ use origami_core::{CreasePattern, Error};
 
 use crate::camera::{Frame, View};
 use crate::colour::Rgb;
+use crate::extent::in_figure;
 use crate::figure::Figure;
 use crate::image::Image;
 use crate::legend::text_size;
@@ -164,7 +165,7 @@ impl Marks {
         let size = text_size(image.width, image.height);
         let [width, height] = [image.width as f32, image.height as f32];
         for (kind, at) in &self.at {
-            let p = crate::pattern::in_figure(pattern, *at).map(f64::from);
+            let p = in_figure(pattern, *at).map(f64::from);
             let row = |r: usize| {
                 (0..3).map(|c| f64::from(view.matrix[c][r]) * p[c]).sum::<f64>() + f64::from(view.matrix[3][r])
             };

@@ -10,6 +10,7 @@ use origami_core::{CreasePattern, Error};
 
 use crate::camera::Camera;
 use crate::colour::Rgb;
+use crate::extent::extent;
 use crate::figure::{Figure, Line, LineKind, LineSet, chains, lips};
 use crate::marks::Marks;
 use crate::picture::Picture;
@@ -50,20 +51,6 @@ impl Theme {
         theme.lines[LineKind::Facet as usize].colour = Rgb(176, 176, 176);
         theme
     }
-}
-
-/// The middle of the pattern's box and half of its diagonal; 1 where it has none.
-fn extent(pattern: &CreasePattern) -> (DVec3, f64) {
-    let low = pattern.vertices.iter().copied().reduce(DVec3::min).unwrap_or_default();
-    let high = pattern.vertices.iter().copied().reduce(DVec3::max).unwrap_or_default();
-    let radius = 0.5 * (high - low).length();
-    (0.5 * low + 0.5 * high, if radius > 0.0 && radius.is_finite() { radius } else { 1.0 })
-}
-
-/// Where a point of the pattern lies in its [figure](Figure::of_pattern).
-pub(crate) fn in_figure(pattern: &CreasePattern, point: DVec3) -> [f32; 3] {
-    let (centre, radius) = extent(pattern);
-    ((point - centre) / radius).to_array().map(|x| x as f32)
 }
 
 /// All edges that stand for themselves, as lines with their vertices for nodes.

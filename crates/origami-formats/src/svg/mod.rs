@@ -21,11 +21,10 @@ use std::collections::BTreeSet;
 use origami_core::CreasePattern;
 use origami_core::error::{Error, ErrorCode, Place, Warning, WarningCode};
 use origami_core::fold::Document;
-use roxmltree::ParsingOptions;
 
 use crate::Options;
 use crate::colours::{Colours, Letter, name_of};
-use crate::curves;
+use crate::{curves, xml};
 use drawing::{Drawing, Mark};
 use notes::Notes;
 
@@ -36,8 +35,7 @@ use notes::Notes;
 /// drawn, if a coordinate is not finite, or if elements are nested too deeply or are too many.
 pub fn read(bytes: &[u8], options: &Options) -> Result<Document, Error> {
     let text = text::decode(bytes)?;
-    let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
-    let tree = roxmltree::Document::parse_with_options(&text, parsing).map_err(|error| places::not_xml(&error))?;
+    let tree = xml::parse(&text, "an SVG file, that is XML")?;
     let Drawing { marks, title, mut notes } = walk::drawing(&tree)?;
     let strokes = strokes(marks, &options.colours, &mut notes);
     if strokes.is_empty() {

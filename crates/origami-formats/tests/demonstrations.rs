@@ -38,8 +38,9 @@ fn counts(pattern: &CreasePattern) -> [usize; 3] {
     [used.iter().filter(|used| **used).count(), pattern.faces.len(), triangles]
 }
 
-/// Files that have as many vertices, faces and triangles here as there, however lines that nearly meet are joined.
-const SAME: [&str; 12] = ["s01", "s02", "s03", "s13", "s16", "s21", "s24", "s25", "s27", "s30", "s33", "s34"];
+/// Files whose counts are others here: lines shorter than the reference's 3 units are kept (s10, s11, s22), as are two ends of
+/// s18 and lines in pieces of s26 that are not quite straight; s36 has ends that nearly meet at many distances.
+const OTHER: [&str; 6] = ["s10", "s11", "s18", "s22", "s26", "s36"];
 
 #[test]
 fn all_are_read_and_counted() {
@@ -51,7 +52,10 @@ fn all_are_read_and_counted() {
         let same = (0..3).all(|i| expected[i].is_none_or(|count| count == counts[i]));
         let importer = if curved { "curved" } else { "plain" };
         println!("{file} {importer} {expected:?} {counts:?} {}", if same { "same" } else { "" });
-        assert!(same || !SAME.iter().any(|name| file.starts_with(name)), "{file}: {counts:?} in place of {expected:?}");
+        assert!(
+            same || curved || OTHER.iter().any(|name| file.starts_with(name)),
+            "{file}: {counts:?} in place of {expected:?}"
+        );
         let vertices = expected[0].expect("all rows have it");
         let sensible = if curved { vertices / 3..2 * vertices } else { vertices / 2..7 * vertices };
         assert!(sensible.contains(&counts[0]), "{file}: {counts:?} in place of {expected:?}");

@@ -41,7 +41,7 @@ impl Reading {
     /// The document in `bytes`; `name` is the file's, where it has one.
     pub(super) fn document(&self, bytes: &[u8], name: Option<&Path>) -> Result<Opened, Error> {
         let mut opened = origami::formats::open(bytes, name, &self.options)?;
-        opened.document.join = self.join;
+        opened.document.join = self.join.or(opened.document.join);
         let packed = if opened.compressed { ", compressed by gzip" } else { "" };
         Ok(Opened { document: opened.document, format: format!("{}{packed}", opened.format) })
     }
@@ -80,7 +80,7 @@ impl Reading {
             return Err(Error::new(ErrorCode::NotAPattern, Place::key("the file"), problem, "FOLD, that is JSON"));
         }
         let mut document = Document::from_slice(bytes)?;
-        document.join = self.join;
+        document.join = self.join.or(document.join);
         Ok(Opened { document, format: "FOLD".to_owned() })
     }
 }

@@ -1,7 +1,6 @@
 //! Diagrams in one colour: the pattern of dashes is the letter.
 
-use super::drawing::Mark;
-use crate::colours::{Colours, Letter};
+use crate::colours::Letter;
 
 /// How a stroke is dashed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,12 +37,4 @@ impl Dashes {
             Self::DashDotted => Letter::Mountain,
         }
     }
-}
-
-/// Whether the dashes are the letters: they differ, and the colours, all one, do not stand for different things. A colour
-/// that the table names is a letter.
-pub(super) fn decide(marks: &[Mark], colours: &Colours) -> bool {
-    let Some(first) = marks.first() else { return false };
-    let one_colour = marks.iter().all(|mark| mark.colour == first.colour);
-    one_colour && !colours.names(first.colour) && marks.iter().any(|mark| mark.dashes != first.dashes)
 }

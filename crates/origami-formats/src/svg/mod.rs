@@ -6,6 +6,7 @@
 mod cascade;
 mod dashes;
 mod drawing;
+mod join;
 mod notes;
 mod path;
 mod places;
@@ -17,13 +18,13 @@ mod walk;
 
 use std::collections::BTreeSet;
 
+use origami_core::CreasePattern;
 use origami_core::error::{Error, ErrorCode, Place, Warning, WarningCode};
 use origami_core::fold::Document;
-use roxmltree::ParsingOptions;
 
 use crate::Options;
 use crate::colours::{Colours, Letter, name_of};
-use crate::curves;
+use crate::{curves, xml};
 use drawing::{Drawing, Mark};
 use notes::Notes;
 
@@ -34,8 +35,7 @@ use notes::Notes;
 /// drawn, if a coordinate is not finite, or if elements are nested too deeply or are too many.
 pub fn read(bytes: &[u8], options: &Options) -> Result<Document, Error> {
     let text = text::decode(bytes)?;
-    let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
-    let tree = roxmltree::Document::parse_with_options(&text, parsing).map_err(|error| places::not_xml(&error))?;
+    let tree = xml::parse(&text, "an SVG file, that is XML")?;
     let Drawing { marks, title, mut notes } = walk::drawing(&tree)?;
     let strokes = strokes(marks, &options.colours, &mut notes);
     if strokes.is_empty() {
@@ -44,7 +44,14 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Document, Error> {
             "strokes: black the border, red mountains, blue valleys, green cuts, yellow flat lines, magenta free ones";
         return Err(Error::new(ErrorCode::NoLines, Place::Line { line: 1, column: None }, problem, expected));
     }
+    let join = join::distance(&strokes);
     let mut document = curves::lines(strokes, options.curve_tolerance)?.into_document();
+    // The largest distance that leaves a pattern; what cannot be read with any is refused where the pattern is made.
+    let tried = join.into_iter().flat_map(|join| [join, join / 8.0, join / 64.0]);
+    document.join = tried.into_iter().find(|join| {
+        document.join = Some(*join);
+        CreasePattern::from_document(&document, 0).is_ok()
+    });
     document.warnings.splice(0..0, notes.into_warnings());
     document.metadata.extend(title.map(|title| ("file_title".to_owned(), title.into())));
     Ok(document)
@@ -52,7 +59,7 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Document, Error> {
 
 /// The marks whose colours are letters, each with its letter and angle.
 fn strokes(marks: Vec<Mark>, colours: &Colours, notes: &mut Notes) -> Vec<curves::Stroke> {
-    let by_dashes = dashes::decide(&marks, colours);
+    let by_dashes = letters_are_dashes(&marks, colours);
     if let Some(first) = marks.first().filter(|_| by_dashes) {
         let message = "all lines are of one colour: dashed ones are taken for valleys, dash-dotted ones for mountains";
         notes.say(Warning::new(WarningCode::Colour, first.element.place.clone(), message));
@@ -90,6 +97,14 @@ fn strokes(marks: Vec<Mark>, colours: &Colours, notes: &mut Notes) -> Vec<curves
         strokes.push(curves::Stroke { path: mark.path, letter: letter.letter(), angle, source: mark.element.source() });
     }
     strokes
+}
+
+/// Whether the dashes are the letters: they differ, and the colours, all one, do not stand for different things. A colour
+/// that the table names is a letter.
+fn letters_are_dashes(marks: &[Mark], colours: &Colours) -> bool {
+    let Some(first) = marks.first() else { return false };
+    let one_colour = marks.iter().all(|mark| mark.colour == first.colour);
+    one_colour && !colours.names(first.colour) && marks.iter().any(|mark| mark.dashes != first.dashes)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Where an element is in the text, and what it is called in messages.
 
-use origami_core::error::{Error, ErrorCode, Place};
+use origami_core::error::Place;
 use roxmltree::Node;
 
 /// Longer ids are cut.
@@ -66,13 +66,4 @@ pub(super) fn printable(text: &str) -> String {
 
 fn is_bidi(c: char) -> bool {
     matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-}
-
-/// The refusal of what is not XML.
-pub(super) fn not_xml(error: &roxmltree::Error) -> Error {
-    let at = error.pos();
-    let place = Place::Line { line: at.row as usize, column: Some(at.col as usize) };
-    let message = error.to_string();
-    let message = message.split(" at ").next().unwrap_or_default();
-    Error::new(ErrorCode::NotXml, place, format!("not XML: {}", printable(message)), "an SVG file, that is XML")
 }

@@ -136,19 +136,19 @@ fn render_marks_faults_and_draws_lines_that_make_no_sheet() {
     let png = |name: &str| std::fs::read(place.path(name)).unwrap();
     assert_ne!(png("a.png"), png("b.png"), "the picture has the marks too");
 
-    // A face that crosses itself.
+    // A face without corners enough.
     let bad = r#"{"vertices_coords": [[0, 0], [1, 0], [1, 1], [0, 1]],
-        "edges_vertices": [[0, 1], [1, 3], [3, 2], [2, 0]], "edges_assignment": ["B", "B", "B", "B"],
-        "faces_vertices": [[0, 1, 3, 2]]}"#;
+        "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0]], "edges_assignment": ["B", "B", "B", "B"],
+        "faces_vertices": [[0, 1, 2, 3], [0, 1]]}"#;
     place.put("bad.fold", bad);
     let ran = place.run("render bad.fold -o c.svg -o c.png");
     assert_eq!(ran.code, 0, "{}", ran.stderr);
-    assert!(ran.stderr.contains("faces_vertices[0]: the face crosses itself"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("faces_vertices[1]: has 2 different vertices"), "{}", ran.stderr);
     assert!(ran.stderr.contains("its lines are drawn as they are"), "{}", ran.stderr);
     let svg = place.text("c.svg");
     assert!(svg.contains("<g id=\"refusal\"") && svg.contains("No sheet can be made of this: "), "{svg}");
     place.run("render bad.fold -o c.glb").fails(1, "needs a sheet, .png and .svg show its lines");
-    place.run("render bad.fold -o c.png --strain").fails(1, "the face crosses itself");
+    place.run("render bad.fold -o c.png --strain").fails(1, "has 2 different vertices");
     place.put("empty.fold", r#"{"vertices_coords": [[0, 0], [1, 0]]}"#);
     place.run("render empty.fold -o c.png").fails(1, "edges_vertices");
 }

@@ -69,7 +69,7 @@ fn lengths_are_the_input_s_in_every_format() {
 fn stl_of_a_sheet_far_off_has_its_area_and_says_where_it_went() {
     let place = with_case("offset9.fold");
     let ran = place.run("fold offset9.fold -o a.stl --report r.json");
-    ran.fails(0, "warning: STL: the sheet lies around 1e9 1e9 ");
+    ran.fails(0, "warning: STL: the sheet lies around 1000000001 1000000000.5 0, which its 32 bits cannot hold");
     assert!(ran.stderr.contains("32 bits cannot hold: it was moved to the origin"), "{}", ran.stderr);
     let whole: f64 = stl(&bytes(&place, "a.stl")).iter().map(area).sum();
     assert!((whole - 2.0).abs() < 5e-4, "{whole}");

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 32] = [
+const KEYS: [&str; 33] = [
     "input",
     "solver",
     "backend",
@@ -16,6 +16,7 @@ const KEYS: [&str; 32] = [
     "precision",
     "vertices",
     "beams",
+    "paper",
     "creases",
     "faces",
     "triangles",

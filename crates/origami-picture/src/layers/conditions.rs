@@ -2,6 +2,7 @@
 
 use origami_core::Model;
 use origami_core::glam::{DVec2, DVec3};
+use origami_core::model::Crease;
 
 use super::order::{Literal, Order};
 use super::overlap::{length_inside, length_shared};
@@ -21,13 +22,15 @@ struct Joint {
 }
 
 /// Adds all demands to `order`.
-pub(super) fn add(model: &Model, positions: &[DVec3], pairs: &Pairs, order: &mut Order) {
+///
+/// `angles` are those of the creases, in radians; where there are none, they are taken to fold as the pattern asks.
+pub(super) fn add(model: &Model, positions: &[DVec3], angles: &[f64], pairs: &Pairs, order: &mut Order) {
     for pair in 0..pairs.triangles.len() {
         if let Some(above) = pairs.clear(pair) {
             order.demand(Literal { pair, turned: false }, above);
         }
     }
-    directions(model, pairs, order);
+    directions(model, angles, pairs, order);
     let joints = joints(model, positions, pairs);
     let corners = |t: u32| {
         let flat = Flat::new(pairs.up[t as usize]);
@@ -47,12 +50,16 @@ pub(super) fn add(model: &Model, positions: &[DVec3], pairs: &Pairs, order: &mut
 }
 
 /// A valley lays its second triangle on the front of the first, a mountain on the back.
-fn directions(model: &Model, pairs: &Pairs, order: &mut Order) {
-    for crease in model.creases.iter().filter(|crease| crease.full_target.abs() > 0.1) {
+fn directions(model: &Model, angles: &[f64], pairs: &Pairs, order: &mut Order) {
+    let angle = |(index, crease): (usize, &Crease)| angles.get(index).copied().unwrap_or(crease.full_target);
+    for (angle, crease) in model.creases.iter().enumerate().map(|crease| (angle(crease), crease.1)) {
+        if angle.abs() <= 0.1 {
+            continue;
+        }
         let [Some(one), Some(two)] = model.mesh.sides[crease.side.index()].triangles else { continue };
         if let Some(above) = order.is_above(one.0, two.0) {
             let front_is_up = pairs.normals[one.index()].dot(pairs.up[one.index()]) > 0.0;
-            order.demand(above, (crease.full_target > 0.0) == front_is_up);
+            order.demand(above, (angle > 0.0) == front_is_up);
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use origami_core::Model;
 use origami_core::glam::DVec3;
 use origami_core::ids::FaceId;
+use origami_core::{Model, State};
 
 use super::conditions;
 use super::order::Order;
@@ -24,19 +24,20 @@ pub struct FaceOrder {
     pub side: i8,
 }
 
-/// The order of all pairs of faces that lie upon each other, by their numbers; `positions` by node, in radii. `None` where
+/// The order of all pairs of faces that lie upon each other in a state, by their numbers. `None` where
 /// the sheet is not folded flat, or has too many layers to tell ([`super::stack`]).
 ///
 /// What folds and the conditions of flat folding leave open, the positions decide, as for pictures. Where that ends in three
 /// faces each of which lies on the next, which paper may do but a stack cannot, none of the three pairs is told.
 #[must_use]
-pub fn face_orders(model: &Model, positions: &[DVec3]) -> Option<Vec<FaceOrder>> {
+pub fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
+    let positions = &*state.positions;
     if positions.len() != model.node_count() || !is_flat(model, positions) {
         return None;
     }
     let pairs = Pairs::find(model, positions)?;
     let mut order = Order::new(&pairs);
-    conditions::add(model, positions, &pairs, &mut order);
+    conditions::add(model, positions, &state.fold_angles, &pairs, &mut order);
     order.decide();
 
     let circling = circling(&pairs, &order);
@@ -105,10 +106,10 @@ mod tests {
 
     use super::*;
 
-    fn folded(pattern: &CreasePattern, percent: f64) -> (Model, Vec<DVec3>) {
+    fn folded(pattern: &CreasePattern, percent: f64) -> (Model, State) {
         let model = Model::new(pattern, &Material::default()).unwrap();
         let state = Relax { tolerance: 1e-6, ..Relax::default() }.fold_from_rest(&model, percent).unwrap().state;
-        (model, state.positions)
+        (model, state)
     }
 
     /// A strip of panels of these widths, side by side, folded by these letters.
@@ -134,16 +135,16 @@ mod tests {
 
     #[test]
     fn a_valley_lays_fronts_upon_each_other_and_a_mountain_backs() {
-        for (letter, side) in [("V", 1), ("M", -1)] {
-            let (model, positions) = folded(&pleats(&[1.0, 1.0], letter), 100.0);
-            assert_eq!(triples(&face_orders(&model, &positions).unwrap()), [(0, 1, side)], "{letter}");
+        for (letter, percent, side) in [("V", 100.0, 1), ("M", 100.0, -1), ("V", -100.0, -1), ("M", -100.0, 1)] {
+            let (model, state) = folded(&pleats(&[1.0, 1.0], letter), percent);
+            assert_eq!(triples(&face_orders(&model, &state).unwrap()), [(0, 1, side)], "{letter} {percent}");
         }
     }
 
     /// Each panel of an accordion lies on the one before. The fronts of every second panel look down.
     #[test]
     fn an_accordion_is_a_stack_in_its_order() {
-        let (model, positions) = folded(&pleats(&[1.0; 5], "VMVM"), 100.0);
+        let (model, state) = folded(&pleats(&[1.0; 5], "VMVM"), 100.0);
         let mut expected = Vec::new();
         for first in 0..5 {
             for second in first + 1..5 {
@@ -151,18 +152,19 @@ mod tests {
                 expected.push((first, second, if second % 2 == 0 { -1 } else { 1 }));
             }
         }
-        assert_eq!(triples(&face_orders(&model, &positions).unwrap()), expected);
+        assert_eq!(triples(&face_orders(&model, &state).unwrap()), expected);
         // As it lies is all one.
-        let turned: Vec<DVec3> = positions.iter().map(|p| DQuat::from_rotation_x(2.0) * *p + DVec3::ONE).collect();
+        let turned = state.positions.iter().map(|p| DQuat::from_rotation_x(2.0) * *p + DVec3::ONE).collect();
+        let turned = State { positions: turned, ..state };
         assert_eq!(triples(&face_orders(&model, &turned).unwrap()), expected);
     }
 
     /// A letter: the last panel goes over the first two, between which nothing else fits.
     #[test]
     fn what_is_rolled_up_lies_inside() {
-        let (model, positions) = folded(&pleats(&[1.0, 1.05, 0.95], "VV"), 100.0);
+        let (model, state) = folded(&pleats(&[1.0, 1.05, 0.95], "VV"), 100.0);
         // Panel 1 in the middle of the pattern looks up at both; 0 and 2 show each other front and back.
-        let orders = triples(&face_orders(&model, &positions).unwrap());
+        let orders = triples(&face_orders(&model, &state).unwrap());
         let on_middle = |f: u32, g: u32| orders.iter().find(|(a, b, _)| (*a, *b) == (f, g)).unwrap().2;
         assert_eq!((on_middle(0, 1), on_middle(1, 2)), (1, 1));
         assert_ne!(on_middle(0, 2), 0);
@@ -172,8 +174,8 @@ mod tests {
     fn what_is_not_folded_flat_has_no_order() {
         let pattern = pleats(&[1.0, 1.0], "V");
         for percent in [0.0, 50.0, 95.0] {
-            let (model, positions) = folded(&pattern, percent);
-            assert_eq!(face_orders(&model, &positions), None, "{percent} %");
+            let (model, state) = folded(&pattern, percent);
+            assert_eq!(face_orders(&model, &state), None, "{percent} %");
         }
     }
 
@@ -182,10 +184,11 @@ mod tests {
     fn faces_over_a_point_are_a_stack() {
         for (name, least) in [("bird-base", 1.0), ("miura", 0.5), ("waterbomb", 0.5)] {
             let pattern = catalog::generate(name, &[]).unwrap();
-            let (model, positions) = folded(&pattern, 100.0);
-            let orders = face_orders(&model, &positions).unwrap();
+            let (model, state) = folded(&pattern, 100.0);
+            let orders = face_orders(&model, &state).unwrap();
+            let positions = &state.positions;
             let sides: BTreeMap<[FaceId; 2], i8> = orders.iter().map(|order| (order.faces, order.side)).collect();
-            let areas = (0..model.mesh.triangles.len()).map(|t| area(&model, &positions, t));
+            let areas = (0..model.mesh.triangles.len()).map(|t| area(&model, positions, t));
             let normal = areas.fold(DVec3::ZERO, |a, b| if b.length() > a.length() { b } else { a }).normalize();
             let (x, y) = normal.any_orthonormal_pair();
             let flat: Vec<DVec2> = positions.iter().map(|p| DVec2::new(p.dot(x), p.dot(y))).collect();
@@ -195,7 +198,7 @@ mod tests {
                 let [a, b, c] = model.mesh.triangles[t].map(|n| flat[n.index()]);
                 let point = 0.411 * a + 0.353 * b + 0.236 * c;
                 let over = (0..model.mesh.triangles.len()).filter(|other| inside(&model, &flat, *other, point));
-                let front = |t: usize| area(&model, &positions, t).dot(normal).signum();
+                let front = |t: usize| area(&model, positions, t).dot(normal).signum();
                 let faces: Vec<(FaceId, f64)> = over.map(|t| (model.mesh.face_of_triangle[t], front(t))).collect();
                 deepest = deepest.max(faces.len());
                 // 1 where the first is above the second, -1 where it is below.

@@ -56,7 +56,7 @@ pub fn stack(model: &Model, positions: &[DVec3]) -> Stack {
     }
     let Some(pairs) = Pairs::find(model, positions) else { return Stack::default() };
     let mut order = Order::new(&pairs);
-    conditions::add(model, positions, &pairs, &mut order);
+    conditions::add(model, positions, &[], &pairs, &mut order);
     order.decide();
     let circling = circles::circling(&pairs, &order);
     let mut heights = spread::spread(model, &pairs, &order, &circling);

@@ -4,7 +4,6 @@
 #[path = "absent.rs"]
 mod writers;
 #[cfg(feature = "formats")]
-#[path = "present.rs"]
 mod writers;
 
 use std::path::Path;

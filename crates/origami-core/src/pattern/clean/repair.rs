@@ -104,10 +104,15 @@ fn is_simple(mut corners: Vec<DVec2>) -> bool {
     if changes <= 2 && ((0..count).all(left) || (0..count).all(right)) {
         return true;
     }
-    let area: f64 = (1..count.saturating_sub(1)).map(|i| orient(corner(0), corner(i), corner(i + 1))).sum();
-    if area.abs() < SMALLEST {
+    let fan = || (1..count.saturating_sub(1)).map(|i| orient(corner(0), corner(i), corner(i + 1)));
+    if fan().all(|area| area.abs() < SMALLEST) {
         // There is a warning of those.
         return true;
+    }
+    let area: f64 = fan().sum();
+    if area.abs() < SMALLEST {
+        // Half of it lies the other way round.
+        return false;
     }
     if area < 0.0 {
         corners.reverse();

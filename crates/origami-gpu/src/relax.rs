@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use origami_core::scene::{Held, Refusal};
-use origami_core::solve::relax::{Attempt, better, or_crushed, steps_of};
+use origami_core::solve::attempt::{Attempt, better, or_crushed, steps_of};
 use origami_core::solve::{Failed, Folded, Instance, Progress, Relax, Stop};
 
 use crate::engine::Engine;
@@ -96,7 +96,7 @@ pub(crate) fn beginning<'m>(
 ) -> Beginning<'m> {
     Beginning {
         model: instance.model,
-        state: attempt.settings(relax).beginning(instance.model, &instance.start, &instance.scene, targets),
+        state: relax.of_attempt(attempt).beginning(instance.model, &instance.start, &instance.scene, targets),
         held: Held::new(instance.model, &instance.scene),
         loads: instance.scene.loads.clone(),
         targets: targets.to_vec(),

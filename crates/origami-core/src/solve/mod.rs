@@ -8,6 +8,8 @@
 //! has, and one alone for a fold that is itself on a thread of a pool, as those of a batch are. `threads` of the settings
 //! says otherwise.
 
+#[doc(hidden)]
+pub mod attempt;
 mod bare_kernel;
 mod clock;
 mod crushed;

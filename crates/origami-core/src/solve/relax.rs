@@ -5,15 +5,14 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::attempt::{Attempt, better, or_crushed, steps_of};
 use super::crushed::is_crushed;
 use super::fire::Minimiser;
-use super::largest::largest;
 use super::perturb::perturb;
 use super::ramp::Ramp;
 use super::stepper::{Limit, Mover, Stepper};
 use super::threads::{count, share};
 use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, Session, Solver, State, Stop};
-use crate::forces::Forces;
 use crate::kernel::Compute;
 use crate::model::{Inventory, Model};
 use crate::scene::{Held, Needs, Refusal, Scene};
@@ -34,7 +33,8 @@ const SHORTEST_RAMP: u32 = 100;
 ///
 /// A state that ends tangled is folded once more over a longer ramp, then in a jump, and the one of lowest energy is
 /// kept. So is one with a triangle crushed to a line, or out of bounds: once without the perturbation, then in a jump; one
-/// without a crushed triangle is kept before one with, whatever their energies. Nothing promises that it is the only equilibrium: folding is path dependent.
+/// without a crushed triangle is kept before one with, whatever their energies. Nothing promises that it is the only
+/// equilibrium: folding is path dependent.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Relax {
@@ -109,100 +109,6 @@ pub(super) fn ramp_between(model: &Model, from: impl Iterator<Item = f64> + Clon
     part.clamp(SHORTEST_RAMP.min(whole), whole)
 }
 
-/// One way to a state.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Attempt {
-    /// 1 for the first.
-    pub number: u32,
-    /// Evaluations over which the target angles rise; 0 is a jump.
-    pub ramp: u32,
-    /// Evaluations after which it ends.
-    pub limit: u64,
-    /// Whether it begins off every symmetry, as [`Relax::perturbation`] says.
-    pub perturbed: bool,
-}
-
-impl Attempt {
-    /// The settings with which it begins.
-    #[must_use]
-    pub fn settings(self, relax: &Relax) -> Relax {
-        Relax { perturbation: if self.perturbed { relax.perturbation } else { 0.0 }, ..relax.clone() }
-    }
-}
-
-/// The better of two states that are asked for the same, with the steps of both: one without crushed triangles, else the
-/// one of lower energy; `other` came of attempt `number`. A state at hand is finite: another way that diverges does not take
-/// it away.
-///
-/// # Errors
-/// The first, where both ways diverge.
-#[doc(hidden)]
-pub fn better(
-    (model, scene): (&Model, &Scene),
-    kept: Result<Folded, Failed>,
-    other: Result<Folded, Failed>,
-    number: u32,
-) -> Result<Folded, Failed> {
-    let steps = steps_of(&kept);
-    match (kept, other) {
-        (Ok(kept), Ok(other)) => {
-            let steps = steps + other.steps;
-            let rank = |folded: &Folded| {
-                (is_crushed(model, &folded.state.positions), folded.state.energy_in(model, scene).total())
-            };
-            let other_is_better = rank(&other) < rank(&kept);
-            Ok(Folded { steps, attempts: number, ..if other_is_better { other } else { kept } })
-        }
-        (Err(Failed::Diverged(_)), Ok(other)) => Ok(Folded { steps: steps + other.steps, attempts: number, ..other }),
-        (kept, _) => kept,
-    }
-}
-
-/// What a sheet that no way holds came to: where a triangle was crushed before it left all bounds, the last good state, since
-/// that is why.
-///
-/// # Errors
-/// As `result`, where nothing was crushed.
-#[doc(hidden)]
-pub fn or_crushed(
-    (model, scene): (&Model, &Scene),
-    result: Result<Folded, Failed>,
-    attempts: u32,
-) -> Result<Folded, Failed> {
-    let diverged = match result {
-        Err(Failed::Diverged(diverged)) if is_crushed(model, &diverged.last_good.positions) => diverged,
-        other => return other,
-    };
-    let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, &diverged.last_good))?;
-    let velocities = vec![DVec3::ZERO; model.node_count()];
-    let mut state = State { targets, velocities, ..*diverged.last_good };
-    let mut forces = Forces::in_scene(model, scene);
-    let residual = largest(forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles));
-    Ok(Folded {
-        state,
-        targets: scene.targets.clone(),
-        stop: Stop::Crushed,
-        steps: diverged.step,
-        time_step: 0.0,
-        residual,
-        distance: f64::INFINITY,
-        attempts,
-        reactions: forces.reactions().to_vec(),
-    })
-}
-
-/// How many steps the ways took that led here.
-#[doc(hidden)]
-#[must_use]
-pub fn steps_of(result: &Result<Folded, Failed>) -> u64 {
-    match result {
-        Ok(folded) => folded.steps,
-        Err(Failed::Diverged(diverged)) => diverged.step,
-        Err(_) => 0,
-    }
-}
-
 impl Solver for Relax {
     fn fold(
         &self,
@@ -274,6 +180,13 @@ impl Relax {
     #[must_use]
     pub fn retries(&self) -> bool {
         self.retry && self.steps.is_none()
+    }
+
+    /// The settings with which an attempt begins.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn of_attempt(&self, attempt: Attempt) -> Self {
+        Self { perturbation: if attempt.perturbed { self.perturbation } else { 0.0 }, ..self.clone() }
     }
 
     /// The first of up to three ways to a state.
@@ -400,7 +313,7 @@ impl Run<'_> {
     ) -> Result<Folded, Failed> {
         let Self { relax, model, start, scene } = *self;
         let targets = self.targets()?;
-        let positions = attempt.settings(relax).first_positions(model, start, scene, &targets);
+        let positions = relax.of_attempt(attempt).first_positions(model, start, scene, &targets);
         let mut stepper = relax.stepper::<R>((model, start), positions, (scene, targets, attempt.ramp), threads);
         let crushed = relax.steps.is_none().then(|| CRUSHED_RAMPS * u64::from(default_ramp(model)));
         let limit = Limit { steps: attempt.limit, all: relax.steps.is_some(), crushed };

@@ -52,7 +52,7 @@ pub(crate) fn check_drawable(
     _format: Format,
     _style: &Style,
     _pattern: &CreasePattern,
-    _model: &origami::Model,
+    _model: &Model,
     _states: usize,
 ) -> Result<(), Error> {
     Ok(())

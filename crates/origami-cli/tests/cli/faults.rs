@@ -91,7 +91,8 @@ fn a_crushed_triangle_is_named_and_more_steps_are_not_advised() {
     let ran = place.run("fold v.fold -o a.fold");
     assert_eq!(ran.code, 0, "another way opens it: {}", ran.stderr);
     assert!(ran.stderr.contains("comes to rest strained"), "{}", ran.stderr);
-    for solver in ["relax", "newton"] {
+    let solvers: &[&str] = if cfg!(feature = "newton") { &["relax", "newton"] } else { &["relax"] };
+    for solver in solvers {
         let ran = place.run(&format!("fold v.fold --percent 90 --solver {solver} -o a.fold --report r.json"));
         assert_eq!(ran.code, 3, "{solver}: {}", ran.stderr);
         assert!(ran.stderr.contains("triangle 0-1-5: crushed to a line"), "{solver}: {}", ran.stderr);

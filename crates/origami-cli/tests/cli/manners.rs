@@ -7,6 +7,7 @@ use serde_json::json;
 use crate::place::{Place, SQUARE};
 
 /// With a sheet that is a ring in space.
+#[cfg(feature = "render")]
 fn with_ring() -> Place {
     let place = Place::new();
     let ring = Place::new();
@@ -15,6 +16,7 @@ fn with_ring() -> Place {
     place
 }
 
+#[cfg(feature = "render")]
 #[test]
 fn what_cannot_be_is_refused_before_the_first_step_and_before_any_output() {
     let place = with_ring();
@@ -60,6 +62,7 @@ fn what_cannot_be_written_is_refused_before_any_output() {
     }
 }
 
+#[cfg(feature = "render")]
 #[test]
 fn a_report_says_what_was_written_before_an_error() {
     let place = Place::new();
@@ -133,6 +136,7 @@ fn more_threads_than_help_are_not_started() {
     }
 }
 
+#[cfg(feature = "render")]
 #[test]
 fn a_picture_beside_an_output_changes_nothing_in_it() {
     let place = Place::new();
@@ -165,6 +169,7 @@ fn a_picture_beside_an_output_changes_nothing_in_it() {
     assert!(std::fs::read(place.path("t.png")).unwrap() == sheet);
 }
 
+#[cfg(feature = "render")]
 #[test]
 fn only_a_pattern_needs_no_folding() {
     let place = Place::new();
@@ -175,6 +180,7 @@ fn only_a_pattern_needs_no_folding() {
     assert_eq!(place.json("r.json")["converged"], json!(true), "a report needs it");
 }
 
+#[cfg(feature = "render")]
 #[test]
 fn options_that_change_nothing_in_a_picture_are_told() {
     let place = Place::new();
@@ -208,6 +214,7 @@ fn options_that_change_nothing_in_a_picture_are_told() {
     assert_eq!(ran.stderr, "warning: --seeds has no effect where --perturbation is 0\n");
 }
 
+#[cfg(feature = "render")]
 #[test]
 fn numbered_pictures_have_their_folder_made() {
     let place = Place::new();

@@ -6,7 +6,7 @@
 //! and warnings of the pattern then name. Lines are not cut or joined here; that is done, for all formats alike, where the
 //! pattern is made. What of a file is no line of a pattern is left out, with a warning.
 //!
-//! [`write`] has the other way: CP, SVG and DXF of a pattern.
+//! [`mod@write`] has the other way: CP, SVG and DXF of a pattern.
 //!
 //! `docs/FORMATS.md` says what each format has, what of it is read, and whose conventions are followed.
 //!

@@ -123,6 +123,24 @@ fn arrays_that_no_longer_hold_are_dropped() {
     assert_eq!(document.key_frame.extra["vertices_origami:fixed"], json!([false, false, false, false, true]));
 }
 
+/// Two lines that cross: four pieces, each with the place of the line that it is a piece of.
+#[test]
+fn pieces_of_a_line_keep_where_it_was_written() {
+    let text = r#"{"vertices_coords": [[0,0],[4,0],[4,4],[0,4]], "edges_vertices": [[0,1],[1,2],[2,3],[3,0],[0,2],[1,3]],
+        "edges_assignment": ["B","B","B","B","M","V"],
+        "edges_origami:source": ["line 1","line 2","line 3","line 4","line 15","line 16"]}"#;
+    let source = Document::from_slice(text.as_bytes()).expect("FOLD");
+    let pattern = CreasePattern::from_document(&source, 0).expect("a pattern");
+    let frame = reread(&folded_form(&source, 0, &pattern, &pose(&pattern, 50.0, 0.0)).expect("a document")).key_frame;
+    let sources = frame.extra["edges_origami:source"].as_array().expect("a list");
+    let letters = frame.edges_assignment.expect("letters");
+    assert_eq!((sources.len(), letters.len()), (8, 8));
+    for (letter, line) in [("M", "line 15"), ("V", "line 16")] {
+        let of_letter = letters.iter().zip(sources).filter(|(own, _)| *own == letter);
+        assert_eq!(of_letter.map(|(_, source)| source).collect::<Vec<_>>(), [line, line]);
+    }
+}
+
 #[test]
 fn merged_vertices_are_where_their_stand_in_is() {
     let mut pattern = square();

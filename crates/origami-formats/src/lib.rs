@@ -63,8 +63,8 @@ const MOST_TEXT: u64 = 1 << 28;
 pub struct Options {
     /// Which colours stand for which letters, where colours do.
     pub colours: Colours,
-    /// How far straight pieces may be from a curve that they stand for, in the file's unit of length. `None` takes a share of
-    /// the pattern's size.
+    /// How far straight pieces may be from a curve that they stand for, in the file's unit of length. `None` takes
+    /// 1/2000 of the longer side of the drawing.
     pub curve_tolerance: Option<f64>,
 }
 

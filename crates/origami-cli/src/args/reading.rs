@@ -22,7 +22,7 @@ pub(crate) struct ReadingArgs {
     #[arg(long, value_name = "TABLE")]
     pub(crate) letters: Option<String>,
 
-    /// How far straight pieces may be from a curve, in the file's unit [default: a share of the pattern's size]
+    /// How far straight pieces may be from a curve, in the file's unit [default: 1/2000 of the drawing's size]
     #[arg(long, value_name = "LENGTH", value_parser = positive)]
     pub(crate) curve_tolerance: Option<f64>,
 }

@@ -115,6 +115,14 @@ impl Error {
     }
 }
 
+/// To three digits, for a message.
+pub(crate) fn rounded(x: f64) -> f64 {
+    // No more than powers of ten have, which 0 would be.
+    let size = x.abs().log10().floor().clamp(-400.0, 400.0);
+    let power = 10f64.powi(2 - size as i32);
+    if power.is_normal() { (x * power).round() / power } else { x }
+}
+
 /// A number in a message: huge and tiny ones as `1e300`, not with all their digits.
 pub(crate) struct Short(pub(crate) f64);
 
@@ -126,5 +134,16 @@ impl fmt::Display for Short {
         } else {
             write!(f, "{x:e}")
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_three_digits_have_no_more() {
+        let told = [1.0, 0.015, 0.0307, 1.619_99, 30.67, 1234.0, 0.0, 2.5e-7].map(|x| Short(rounded(x)).to_string());
+        assert_eq!(told, ["1", "0.015", "0.0307", "1.62", "30.7", "1230", "0", "2.5e-7"]);
     }
 }

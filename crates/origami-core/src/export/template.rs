@@ -31,7 +31,8 @@ impl Template {
     /// The template for folded forms of `pattern`, which was made from frame `frame` of `source`.
     ///
     /// Arrays that follow from others (`faces_edges`, `edges_length`, `faceOrders` and such) are kept where those are in the
-    /// pattern as in the source, else dropped: their counts, ends or order changed when the pattern was cleaned.
+    /// pattern as in the source, else dropped: their counts, ends or order changed when the pattern was cleaned. Where edges were
+    /// written in a file of another format is the pattern's own.
     ///
     /// # Errors
     /// [`Error::Invalid`] if there is no such frame.
@@ -40,13 +41,14 @@ impl Template {
         let (same_edges, same_faces) = same(&frame, pattern);
         let holds =
             |key: &str| (same_edges || !FROM_EDGES.contains(&key)) && (same_faces || !FROM_FACES.contains(&key));
-        let extra = frame.extra.iter().filter(|(key, _)| holds(key));
+        let kept = frame.extra.iter().filter(|(key, _)| holds(key));
+        let mut extra: Map<String, Value> = kept.map(|(key, value)| (key.clone(), value.clone())).collect();
+        // Pieces know which line they are pieces of, whatever became of the file's edges.
+        if !pattern.sources.is_empty() {
+            extra.insert(SOURCE.into(), pattern.sources.iter().map(|at| Value::from(&**at)).collect());
+        }
         let classes = source.classes.iter().filter(|class| !MANY_FRAMES.contains(&class.as_str()));
-        Ok(Self {
-            classes: classes.cloned().collect(),
-            metadata: source.metadata.clone(),
-            extra: extra.map(|(key, value)| (key.clone(), value.clone())).collect(),
-        })
+        Ok(Self { classes: classes.cloned().collect(), metadata: source.metadata.clone(), extra })
     }
 
     /// The one frame, without any array of its own.

@@ -164,7 +164,7 @@ impl FlatFacts {
                     write!(text, " (at most {} degrees off, vertex {vertex})", short(*off_deg))?;
                 }
                 if self.unchecked > 0 {
-                    write!(text, "; {} not, with creases of other angles", self.unchecked)?;
+                    write!(text, "; {} not checked, with creases of other angles", self.unchecked)?;
                 }
                 writeln!(text)?;
                 self.tell_closure(text)?;

@@ -1,6 +1,6 @@
 //! Creases far from their angles in a sheet that is at rest and not strained: nothing else tells that they have not folded.
 
-use crate::error::{CreasePlace, Place, Short, Warning, WarningCode};
+use crate::error::{CreasePlace, Place, Short, Warning, WarningCode, rounded};
 use crate::flat::{OpenEnd, open_ends};
 use crate::ids::EdgeId;
 use crate::measure::Strain;
@@ -42,8 +42,13 @@ pub(super) fn off_target(pattern: &CreasePattern, model: &Model, folded: &Folded
     let (open, whole): (Vec<Off<'_>>, Vec<Off<'_>>) = off.into_iter().partition(|off| end_of(off).is_some());
     let mut warnings = Vec::new();
     if let Some((worst, end)) = open.first().and_then(|worst| Some((worst, end_of(worst)?))) {
-        let message =
-            format!("{}; at rest it is {:.1} degrees off its angle{}", ends_inside(end), worst.degrees, others(&open));
+        let message = format!(
+            "{}{}; at rest it is {:.1} degrees off its angle{}",
+            if open.len() > 1 { "the first " } else { "" },
+            ends_inside(end),
+            worst.degrees,
+            others(&open)
+        );
         warnings.push(Warning::new(WarningCode::OpenCrease, places(model, &open), message));
     }
     let is_full = folded.percent().is_some_and(|percent| percent.abs() == 100.0);
@@ -62,19 +67,13 @@ pub(super) fn off_target(pattern: &CreasePattern, model: &Model, folded: &Folded
 /// Where a crease ends, and what it misses.
 fn ends_inside(end: &OpenEnd) -> String {
     let nearest = match end.nearest {
-        Some((line, distance)) => format!(", {} from the nearest line (edge {})", three_digits(distance), line.0),
+        Some((line, distance)) => format!(", {} from the nearest line (edge {})", Short(rounded(distance)), line.0),
         None => String::new(),
     };
     format!(
         "ends inside face {} at vertex {}{nearest}, so that the paper around its end cannot fold",
         end.face.0, end.vertex.0
     )
-}
-
-fn three_digits(x: f64) -> Short {
-    let size = x.abs().log10().floor();
-    let unit = 10_f64.powi(if size.is_finite() { size as i32 - 2 } else { 0 });
-    Short((x / unit).round() * unit)
 }
 
 fn others(off: &[Off<'_>]) -> String {

@@ -4,12 +4,11 @@
 use glam::DVec2;
 
 use super::draft::{Draft, DraftEdge, EdgeMap};
-use super::joins::rounded;
 use super::letters::Letter;
 use super::loops::{OUTSIDE, Regions, regions};
 use super::tolerance::TOUCH;
 use crate::csr::Csr;
-use crate::error::{Error, ErrorCode, Short, WarningCode};
+use crate::error::{Error, ErrorCode, Short, WarningCode, rounded};
 use crate::pattern::plane::{extent, orient};
 
 /// Gaps up to this, in sizes, are closed wherever they are.

@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use super::letters::Letter;
-use crate::error::{Place, Short, WarningCode};
+use crate::error::{Place, Short, WarningCode, rounded};
 use crate::ids::{EdgeId, VertexId};
 use crate::pattern::joins::{Join, JoinedTo};
 
@@ -82,10 +82,4 @@ fn note_touching(draft: &mut Draft, meeting: Meeting) {
             });
         }
     }
-}
-
-/// To three digits.
-pub(super) fn rounded(length: f64) -> f64 {
-    let power = 10f64.powi(2 - length.abs().log10().floor() as i32);
-    if power.is_normal() { (length * power).round() / power } else { length }
 }

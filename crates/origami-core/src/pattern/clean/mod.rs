@@ -37,7 +37,7 @@ use repair::Doubt;
 use sides::Sides;
 use sources::Sources;
 
-use crate::error::{Error, ErrorCode, Place, Short, WarningCode};
+use crate::error::{Error, ErrorCode, Place, Short, WarningCode, rounded};
 use crate::fold::Frame;
 use crate::ids::{EdgeId, VertexId};
 use crate::pattern::crease_pattern::{CreasePattern, PatternEdge};
@@ -217,10 +217,10 @@ fn lost(draft: &mut Draft) -> f64 {
         return 0.0;
     }
     let area = lost / (draft.scale * draft.scale);
-    let percent = joins::rounded(100.0 * lost / lines);
+    let percent = rounded(100.0 * lost / lines);
     let message = format!(
         "lines lie outside all faces: of the area that they span, {} ({percent} %) is no paper",
-        Short(joins::rounded(area))
+        Short(rounded(area))
     );
     draft.notes.add_once(WarningCode::PaperLost, "edges_vertices", message);
     area

@@ -4,10 +4,9 @@ use glam::DVec2;
 
 use super::boxes::{Bounds, BoxTree};
 use super::draft::Draft;
-use super::joins::rounded;
 use super::letters::Letter;
 use crate::csr::Csr;
-use crate::error::{Place, Short, WarningCode};
+use crate::error::{Place, Short, WarningCode, rounded};
 use crate::pattern::plane::extent;
 
 /// Ends farther away than this, in sizes, end there on purpose;

@@ -163,7 +163,11 @@ fn the_distance_can_be_given() -> Result<(), Error> {
     assert_eq!(with(0.02)?.faces.len(), 2);
     let pattern = with(0.01)?;
     assert_eq!(pattern.faces.len(), 1);
-    assert_warned(&pattern, "vertices_coords[4]", "is a loose end 0.015 from edges_vertices[0] and is not joined to it");
+    assert_warned(
+        &pattern,
+        "vertices_coords[4]",
+        "is a loose end 0.015 from edges_vertices[0] and is not joined to it",
+    );
     let own = CreasePattern::from_frame(&frame)?;
     assert_eq!(own.faces.len(), 1, "a crease that ends by 1.5 % before the border may be meant to");
     for wrong in [-1.0, f64::NAN, f64::INFINITY] {

@@ -156,16 +156,20 @@ fn joins_are_named_with_both_places_and_the_distance() {
 
 #[test]
 fn the_distance_can_be_given() -> Result<(), Error> {
-    let coords = [&SQUARE[..], &[[0.5, 0.03], [0.5, 1.0]]].concat();
+    let coords = [&SQUARE[..], &[[0.5, 0.015], [0.5, 1.0]]].concat();
     let edges = [&SQUARE_EDGES[..4], &[[4, 5]]].concat();
     let frame = flat(&coords, &edges, "BBBBM", &[]);
     let with = |join: f64| CreasePattern::from_frame_with(&frame, &Reading::joining(Some(join)));
-    assert_eq!(with(0.04)?.faces.len(), 2);
-    let pattern = with(0.02)?;
+    assert_eq!(with(0.02)?.faces.len(), 2);
+    let pattern = with(0.01)?;
     assert_eq!(pattern.faces.len(), 1);
-    assert_warned(&pattern, "vertices_coords[4]", "is a loose end 0.03 from edges_vertices[0] and is not joined to it");
+    assert_warned(
+        &pattern,
+        "vertices_coords[4]",
+        "is a loose end 0.015 from edges_vertices[0] and is not joined to it",
+    );
     let own = CreasePattern::from_frame(&frame)?;
-    assert_eq!(own.faces.len(), 1, "a crease that ends by 3 % before the border may be meant to");
+    assert_eq!(own.faces.len(), 1, "a crease that ends by 1.5 % before the border may be meant to");
     for wrong in [-1.0, f64::NAN, f64::INFINITY] {
         assert!(with(wrong).is_err_and(|error| error.to_string().starts_with("join: is ")));
     }

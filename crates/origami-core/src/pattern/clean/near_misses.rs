@@ -10,7 +10,7 @@ use crate::error::{Place, Short, WarningCode, rounded};
 use crate::pattern::plane::extent;
 
 /// Ends farther away than this, in sizes, end there on purpose;
-const FAR: f64 = 0.05;
+const FAR: f64 = 0.02;
 /// and those farther away than this share of their own line.
 const SHARE: f64 = 0.125;
 

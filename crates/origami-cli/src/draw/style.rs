@@ -65,7 +65,7 @@ impl Style {
 
     /// The sheet in a state, with its shading and its map.
     pub(super) fn figure(&self, subject: Subject<'_>, state: &origami::State, clip: Option<f64>) -> Figure {
-        let mut figure = Figure::new(subject.pattern, subject.model, &state.positions);
+        let mut figure = Figure::of_state(subject.pattern, subject.model, state);
         if self.soft {
             figure.shade();
         }
@@ -75,7 +75,7 @@ impl Style {
 
     /// The figure in another state.
     pub(super) fn move_to(&self, figure: &mut Figure, subject: Subject<'_>, state: &origami::State, clip: Option<f64>) {
-        figure.move_to(subject.model, &state.positions);
+        figure.move_to_state(subject.model, state);
         self.mapped(figure, subject, state, clip);
     }
 

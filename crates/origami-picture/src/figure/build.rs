@@ -1,7 +1,7 @@
 //! From a model in one state to a figure.
 
 use origami_core::glam::DVec3;
-use origami_core::{CreasePattern, Model};
+use origami_core::{CreasePattern, Model, State};
 
 use super::{Figure, Line, LineKind, chains, lips};
 use crate::camera::Camera;
@@ -10,24 +10,46 @@ use crate::map::Map;
 use crate::openness::Openness;
 
 impl Figure {
-    /// The sheet with its nodes at `positions` (in radii). A position that is missing counts as the one at rest.
+    /// The sheet with its nodes at `positions` (in radii). A position that is missing counts as the one at rest. Which of two
+    /// layers is on top follows from the folds that the pattern asks for; [`of_state`](Self::of_state) knows better.
     #[must_use]
     pub fn new(pattern: &CreasePattern, model: &Model, positions: &[DVec3]) -> Self {
-        let mut figure = Self {
-            triangles: model.mesh.triangles.iter().map(|t| t.map(|node| node.0)).collect(),
-            lines: lines(pattern, model),
-            ..Self::default()
-        };
+        let mut figure = Self::of_sheet(pattern, model);
         figure.move_to(model, positions);
         figure
     }
 
-    /// The same sheet in another state: positions and layers change, and the openness where there is one.
+    /// The sheet in a state, whose own fold angles tell which layer is on top: folded the other way, it lies the other way.
+    #[must_use]
+    pub fn of_state(pattern: &CreasePattern, model: &Model, state: &State) -> Self {
+        let mut figure = Self::of_sheet(pattern, model);
+        figure.move_to_state(model, state);
+        figure
+    }
+
+    /// The same sheet elsewhere: positions and layers change, and the openness where there is one.
     pub fn move_to(&mut self, model: &Model, positions: &[DVec3]) {
+        self.place(model, positions, &[]);
+    }
+
+    /// The same sheet in another state.
+    pub fn move_to_state(&mut self, model: &Model, state: &State) {
+        self.place(model, &state.positions, &state.fold_angles);
+    }
+
+    fn of_sheet(pattern: &CreasePattern, model: &Model) -> Self {
+        Self {
+            triangles: model.mesh.triangles.iter().map(|t| t.map(|node| node.0)).collect(),
+            lines: lines(pattern, model),
+            ..Self::default()
+        }
+    }
+
+    fn place(&mut self, model: &Model, positions: &[DVec3], angles: &[f64]) {
         let all = positions.iter().chain(model.rest.iter().skip(positions.len()));
         self.positions.clear();
         self.positions.extend(all.take(model.rest.len()).map(|p| p.to_array().map(|x| x as f32)));
-        let stack = stack(model, positions);
+        let stack = stack(model, positions, angles);
         (self.layers, self.circles) = (stack.layers, stack.circles);
         if !self.openness.is_empty() {
             self.shade();

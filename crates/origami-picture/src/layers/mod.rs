@@ -46,17 +46,18 @@ pub struct Stack {
     pub circles: Vec<[u32; 2]>,
 }
 
-/// The order of a sheet's layers; `positions` by node, in radii.
+/// The order of a sheet's layers; `positions` by node, in radii, `angles` by crease, in radians. Where there are none, the
+/// creases are taken to fold as the pattern asks.
 ///
 /// More than some twenty thousand pairs of triangles upon each other are left to their depths.
 #[must_use]
-pub fn stack(model: &Model, positions: &[DVec3]) -> Stack {
+pub fn stack(model: &Model, positions: &[DVec3], angles: &[f64]) -> Stack {
     if positions.len() != model.node_count() || positions.iter().any(|p| !p.is_finite()) {
         return Stack::default();
     }
     let Some(pairs) = Pairs::find(model, positions) else { return Stack::default() };
     let mut order = Order::new(&pairs);
-    conditions::add(model, positions, &[], &pairs, &mut order);
+    conditions::add(model, positions, angles, &pairs, &mut order);
     order.decide();
     let circling = circles::circling(&pairs, &order);
     let mut heights = spread::spread(model, &pairs, &order, &circling);
@@ -94,16 +95,19 @@ mod tests {
         let pattern = BirdBase::default().pattern().unwrap();
         for percent in [0.0, 50.0] {
             let (model, positions) = folded(&pattern, percent);
-            assert_eq!(stack(&model, &positions), Stack::default(), "{percent} %");
+            assert_eq!(stack(&model, &positions, &[]), Stack::default(), "{percent} %");
         }
     }
 
     #[test]
     fn a_valley_lays_the_second_face_on_the_front_of_the_first() {
-        for angle in [180.0, -180.0_f64] {
-            let pattern = SingleCrease { angle: angle.to_radians(), ..SingleCrease::default() }.pattern().unwrap();
-            let (model, positions) = folded(&pattern, 100.0);
-            let layers = stack(&model, &positions).layers;
+        // A valley folded the other way is a mountain, which its own angles tell.
+        for (asked, percent) in [(180.0_f64, 100.0), (-180.0, 100.0), (180.0, -100.0), (-180.0, -100.0)] {
+            let angle = asked.copysign(asked * percent);
+            let pattern = SingleCrease { angle: asked.to_radians(), ..SingleCrease::default() }.pattern().unwrap();
+            let (model, positions) = folded(&pattern, percent);
+            let angles = vec![angle.to_radians(); model.creases.len()];
+            let layers = stack(&model, &positions, if percent < 0.0 { &angles } else { &[] }).layers;
             let crease = model.creases.iter().find(|c| c.full_target.abs() > 3.0).unwrap();
             let [Some(one), Some(two)] = model.mesh.sides[crease.side.index()].triangles else { panic!("two faces") };
             let [a, b, c] = model.mesh.triangles[one.index()].map(|n| positions[n.index()]);
@@ -119,7 +123,7 @@ mod tests {
         let pattern = BirdBase::default().pattern().unwrap();
         let (model, positions) = folded(&pattern, 100.0);
         let pairs = Pairs::find(&model, &positions).unwrap();
-        let stack = stack(&model, &positions);
+        let stack = stack(&model, &positions, &[]);
         assert!(pairs.triangles.len() > 20 && stack.circles.is_empty());
         for (pair, contacts) in pairs.contacts.iter().enumerate() {
             let gap = |contact: &pairs::Contact| {
@@ -140,7 +144,7 @@ mod tests {
     fn a_twist_lies_in_a_circle() {
         let pattern = SquareTwist::default().pattern().unwrap();
         let (model, positions) = folded(&pattern, 100.0);
-        let circles = stack(&model, &positions).circles;
+        let circles = stack(&model, &positions, &[]).circles;
         let mut under: Vec<u32> = vec![circles[0][0]];
         // Going up from layer to layer one never comes to an end.
         for _ in 0..50 {

@@ -54,7 +54,10 @@ const RIGHT: [Right; 12] = [
         pieces: 1,
         crease: ([4, 5], 90.0),
         across: 3.464101615,
-        says: (WarningCode::FacesRepaired, &["faces_vertices[0]"]),
+        says: (
+            WarningCode::FacesRepaired,
+            &["faces_vertices[0]", "contradicts the lines; the faces were found anew from the lines: 2"],
+        ),
     },
     Right {
         file: "spur_on_border_refused",

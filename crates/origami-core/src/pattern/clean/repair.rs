@@ -188,8 +188,10 @@ pub(super) fn note(anew: &mut Draft, faces: &[Vec<u32>], cure: &str) {
         if exist { area_vector(face.iter().map(|&v| anew.points[v as usize])).length() } else { 0.0 }
     };
     let sheet: f64 = anew.faces.iter().map(|face| area(face)).sum();
-    let outer =
-        wrong.iter().find(|&&face| anew.faces.len() > 1 && (area(&faces[face]) - sheet).abs() <= SAME_AREA * sheet);
+    // The outside is as large as the sheet, and the others cover it once more.
+    let covered: f64 = faces.iter().map(|face| area(face)).sum();
+    let twice = covered > 1.5 * sheet && anew.faces.len() > 1;
+    let outer = wrong.iter().find(|&&face| twice && (area(&faces[face]) - sheet).abs() <= SAME_AREA * sheet);
     let mut message = String::from("contradicts the lines");
     if wrong.len() > 1 {
         let others: Vec<String> = wrong[1..].iter().take(NAMED).map(|face| format!("[{face}]")).collect();

@@ -25,12 +25,20 @@ pub(crate) fn numbered_lines(text: &str) -> impl Iterator<Item = (usize, &str)> 
     (1..).zip(text.split(end)).map(|(number, line)| (number, line.trim_matches(['\r', '\u{1a}', '\u{feff}'])))
 }
 
-/// `text` as a message quotes it: without what steers a terminal, and not at any length.
+/// `text` as a message quotes it.
 pub(crate) fn quoted(text: &str) -> String {
     const MOST: usize = 40;
-    let shown: String =
-        text.chars().take(MOST).map(|c| if c.is_control() || is_bidi(c) { '\u{fffd}' } else { c }).collect();
-    if text.chars().nth(MOST).is_some() { format!("\"{shown}…\"") } else { format!("\"{shown}\"") }
+    format!("\"{}\"", printable(text, MOST))
+}
+
+/// `text` without what steers a terminal, and with no more than `most` of its characters.
+pub(crate) fn printable(text: &str, most: usize) -> String {
+    let harmless = |c: char| if c.is_control() || is_bidi(c) { '\u{fffd}' } else { c };
+    let mut shown: String = text.chars().take(most).map(harmless).collect();
+    if text.chars().nth(most).is_some() {
+        shown.push('…');
+    }
+    shown
 }
 
 /// Whether it changes the direction in which a terminal shows text.

@@ -56,14 +56,5 @@ impl Element {
 
 /// Shortened, and without characters that a terminal obeys.
 pub(super) fn printable(text: &str) -> String {
-    let harmless = |c: char| if c.is_control() || is_bidi(c) { '\u{fffd}' } else { c };
-    let mut short: String = text.chars().take(ID).map(harmless).collect();
-    if text.chars().nth(ID).is_some() {
-        short.push('…');
-    }
-    short
-}
-
-fn is_bidi(c: char) -> bool {
-    matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    crate::text::printable(text, ID)
 }

@@ -40,7 +40,7 @@ pub fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
     conditions::add(model, positions, &state.fold_angles, &pairs, &mut order);
     order.decide();
 
-    let circling = circling(&pairs, &order);
+    let in_threes = in_threes(&pairs, &order);
     let mut sides: BTreeMap<[FaceId; 2], i8> = BTreeMap::new();
     for (pair, triangles) in pairs.triangles.iter().enumerate() {
         let mut both = triangles.map(|t| (model.mesh.face_of_triangle[t as usize], t as usize));
@@ -56,7 +56,7 @@ pub fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
         let [_, (_, second)] = both;
         let front_up = pairs.normals[second].dot(pairs.up[second]) > 0.0;
         let side = match above == front_up {
-            _ if circling[pair] => 0,
+            _ if in_threes[pair] => 0,
             true => 1,
             false => -1,
         };
@@ -69,18 +69,18 @@ pub fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
 }
 
 /// By pair: whether it is one of three pairs of three triangles of which each lies on the next.
-fn circling(pairs: &Pairs, order: &Order<'_>) -> Vec<bool> {
-    let mut circling = vec![false; pairs.triangles.len()];
+fn in_threes(pairs: &Pairs, order: &Order<'_>) -> Vec<bool> {
+    let mut in_threes = vec![false; pairs.triangles.len()];
     for (pair, [i, j]) in pairs.triangles.iter().enumerate() {
         for (k, on_j) in pairs.of(*j as usize).iter().filter(|(k, _)| k > j) {
             let Some((on_i, _)) = pairs.between(*i, *k) else { continue };
             let [first, second, third] = [pair, *on_j as usize, on_i].map(|pair| order.above(pair));
             if first == second && second != third {
-                [pair, *on_j as usize, on_i].into_iter().for_each(|pair| circling[pair] = true);
+                [pair, *on_j as usize, on_i].into_iter().for_each(|pair| in_threes[pair] = true);
             }
         }
     }
-    circling
+    in_threes
 }
 
 /// Whether all nodes lie in the plane of the largest triangle.

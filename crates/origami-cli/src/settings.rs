@@ -77,7 +77,7 @@ impl Settings {
             style: drawn.then(|| Style::new(&args.picture)).transpose()?,
             film: Film { turntable: args.turntable, fps: args.fps },
             hold: args.hold.unwrap_or_default(),
-            material: args.material.material(),
+            material: args.material.material(material(solving.solver)),
             solver_name: solving.solver,
             method: method(solving, args.perturbation)?,
             backend: backend(solving, &args.material.named())?,
@@ -123,6 +123,11 @@ impl Settings {
             (SolverName::Dynamics, _) => None,
         }
     }
+}
+
+/// The material of a solver: the paper's motion has the paper's springs.
+pub(crate) fn material(solver: SolverName) -> Material {
+    if solver == SolverName::Dynamics { Material::paper() } else { Material::default() }
 }
 
 /// What folds.

@@ -31,7 +31,7 @@ pub(crate) fn run(
         Ok(targets) => targets,
         Err(refusal) => return refused(instances, &refusal),
     };
-    let first = |(i, to): (&Instance<'_>, &Vec<f64>)| relax.first_attempt(i.model, &i.start, to);
+    let first = |(i, to): (&Instance<'_>, &Vec<f64>)| relax.first_attempt((i.model, &i.scene), &i.start, to);
     let mut active: Vec<(usize, Attempt)> = instances.iter().zip(&targets).map(first).enumerate().collect();
     let mut best_so_far: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
     while !active.is_empty() {
@@ -63,7 +63,10 @@ pub(crate) fn run(
                     if broken_off { best.map(|kept| Folded { stop: Stop::Cancelled, ..kept }) } else { best }
                 }
             };
-            if !cancelled && let Some(another) = relax.next_attempt(instance.model, &instance.start, attempt, &best) {
+            if !cancelled
+                && let Some(another) =
+                    relax.next_attempt((instance.model, &instance.scene), &instance.start, attempt, &best)
+            {
                 next.push((i, another));
                 best_so_far[i] = Some(best);
                 continue;

@@ -109,7 +109,7 @@ pub(crate) struct Varied {
 
 impl Varied {
     pub(crate) fn new(material: &Material, point: &Point) -> Self {
-        let Material { ea, k_fold, k_facet, k_face, zeta } = *material;
+        let Material { ea, k_fold, k_facet, k_face, zeta, .. } = *material;
         Self { ea, k_fold, k_facet, k_face, zeta, perturbation: point.perturbation, seed: point.seed }
     }
 }

@@ -14,6 +14,8 @@ pub(super) struct FoldAngles<'a, R: Real> {
     pub(super) hinges: &'a [u32],
     pub(super) stiffness: &'a [R],
     pub(super) targets: &'a [R],
+    /// What pulls a crease back to flat from the side that its target is not on, in units of its stiffness.
+    pub(super) wrong_side: f64,
     pub(super) angles: &'a mut [R],
     pub(super) moments: &'a mut [R],
 }
@@ -30,7 +32,10 @@ impl<R: Real> Pass<R> for FoldAngles<'_, R> {
         for ((nodes, (stiffness, target)), (angles, moments)) in hinges.zip(springs).zip(states) {
             let previous = Num::load(lane, angles);
             let (stiffness, target) = (Num::load(lane, stiffness), Num::load(lane, target));
-            let (angle, moment) = angle_and_moment(lane, self.positions, nodes, previous, target, stiffness);
+            let (angle, mut moment) = angle_and_moment(lane, self.positions, nodes, previous, target, stiffness);
+            if self.wrong_side > 0.0 {
+                moment = back_to_flat(moment, angle, target, stiffness * Num::splat(lane, self.wrong_side));
+            }
             most = most.max((angle - previous).abs());
             angle.store(angles);
             moment.store(moments);
@@ -57,15 +62,36 @@ impl<R: Compute> Cut<R> for FoldAngles<'_, R> {
             hinges: other_hinges,
             stiffness: other_stiffness,
             targets: other_targets,
+            wrong_side: self.wrong_side,
             angles: other_angles,
             moments: other_moments,
         };
-        (Self { positions: self.positions, hinges, stiffness, targets, angles, moments }, other)
+        (
+            Self {
+                positions: self.positions,
+                hinges,
+                stiffness,
+                targets,
+                wrong_side: self.wrong_side,
+                angles,
+                moments,
+            },
+            other,
+        )
     }
 
     fn both(one: f64, other: f64) -> f64 {
         one.max(other)
     }
+}
+
+/// The moment with what turns a crease back that is folded to the other side than its target.
+#[inline(always)]
+fn back_to_flat<L: GatherScatter>(moment: Num<L>, angle: Num<L>, target: Num<L>, stiffness: Num<L>) -> Num<L> {
+    let [zero, pulls] = [0.0, L::Real::LEAST].map(|x| Num::splat(moment.lane, x));
+    // A triangle beside it that is too thin leaves it without a moment.
+    let wrong = (angle * target).less(zero) & pulls.less(moment.abs());
+    wrong.select(stiffness.sub_mul(angle, moment), moment)
 }
 
 /// Fold angles and moments of the hinges on `nodes`.

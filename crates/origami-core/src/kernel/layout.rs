@@ -5,7 +5,7 @@ use std::iter::{empty, repeat, repeat_n};
 use crate::csr::Csr;
 use crate::forces::damping;
 use crate::ids::{NodeId, SideId};
-use crate::model::Model;
+use crate::model::{Beam, Model, Softening};
 
 use super::lookup::fill;
 use super::real::{Quad64, Real};
@@ -38,6 +38,8 @@ pub(super) struct Layout<R> {
     /// By node: where the forces on it lie. The last slot of a node on which something acts from outside is for that.
     pub(super) slots: Csr<u32>,
     pub(super) k_face: f64,
+    pub(super) k_area: f64,
+    pub(super) softening: Option<Softening>,
     pub(super) damped: bool,
 }
 
@@ -81,6 +83,8 @@ impl<R: Real> Layout<R> {
             loose_beams: chunks(width, loose_beams, beams, [1.0, 0.0, 0.0].map(R::of)),
             slots,
             k_face: model.material.k_face,
+            k_area: model.k_area(),
+            softening: None,
             damped,
         };
         layout.take_sides(model, width);
@@ -99,10 +103,8 @@ impl<R: Real> Layout<R> {
             // Each of two triangles does half of the beam between them.
             let part = 1.0 / triangles.clone().count() as f64;
             for triangle in triangles {
-                let (t, corners) = (triangle.index(), &model.mesh.triangles[triangle.index()]);
-                let corner =
-                    (0..3).find(|i| side.nodes.contains(&corners[*i]) && side.nodes.contains(&corners[(i + 1) % 3]));
-                let corner = corner.expect("a side of a triangle joins two of its corners");
+                let t = triangle.index();
+                let corner = corner_of(&model.mesh.triangles[t], side.nodes);
                 self.beams[at(width, t, (corner, 6))] = R::of(beam.rest_length);
                 self.beams[at(width, t, (3 + corner, 6))] = R::of(part * beam.stiffness);
                 if !self.creases.is_empty() {
@@ -112,6 +114,24 @@ impl<R: Real> Layout<R> {
                     self.damping[at(width, t, (corner, 3))] = R::of(part * damping);
                 }
             }
+        }
+    }
+
+    /// Makes the springs so soft, whatever they were before; they are exactly the model's without softening.
+    pub(super) fn soften(&mut self, model: &Model, width: usize, softening: Option<Softening>) {
+        self.softening = softening;
+        self.k_face = softening.map_or(1.0, |soft| soft.corner_angles) * model.material.k_face;
+        let own = |beam: &Beam| softening.map_or(beam.stiffness, |soft| soft.of_beam(model, beam));
+        for (side, beam) in model.mesh.sides.iter().zip(&model.beams) {
+            let triangles = side.triangles.iter().flatten();
+            let stiffness = own(beam) / triangles.clone().count() as f64;
+            for triangle in triangles {
+                let field = 3 + corner_of(&model.mesh.triangles[triangle.index()], side.nodes);
+                self.beams[at(width, triangle.index(), (field, 6))] = R::of(stiffness);
+            }
+        }
+        for (b, (beam, _)) in loose_sides(model).enumerate() {
+            self.loose_beams[at(width, b, (1, 3))] = R::of(own(beam));
         }
     }
 
@@ -132,6 +152,12 @@ impl<R: Real> Layout<R> {
     pub(super) fn slot_count(&self) -> usize {
         self.corners.len() + self.loose_ends.len()
     }
+}
+
+/// The place among a triangle's corners of the first one on a side.
+fn corner_of(corners: &[NodeId; 3], side: [NodeId; 2]) -> usize {
+    let corner = (0..3).find(|i| side.contains(&corners[*i]) && side.contains(&corners[(i + 1) % 3]));
+    corner.expect("a side of a triangle joins two of its corners")
 }
 
 /// Where a field, given as one of so many, of element `e` lies: field after field, chunk by chunk.
@@ -173,9 +199,15 @@ fn angles<R: Real>(model: &Model, width: usize) -> Vec<R> {
 type Loose = ([u32; 2], [f64; 3]);
 
 fn loose(model: &Model) -> impl Iterator<Item = Loose> {
-    let beams = model.mesh.sides.iter().zip(&model.beams).zip(damping::coefficients(model));
-    let loose = beams.filter(|((side, _), _)| side.triangles == [None; 2]);
-    loose.map(|((_, beam), damping)| (beam.nodes.map(|n| n.0), [beam.rest_length, beam.stiffness, damping]))
+    let damping = damping::coefficients(model);
+    let numbers = move |(beam, side): (&Beam, usize)| [beam.rest_length, beam.stiffness, damping[side]];
+    loose_sides(model).map(move |(beam, side)| (beam.nodes.map(|n| n.0), numbers((beam, side))))
+}
+
+/// Beams outside any triangle, each with the number of its side.
+fn loose_sides(model: &Model) -> impl Iterator<Item = (&Beam, usize)> {
+    let sides = model.mesh.sides.iter().zip(&model.beams).enumerate();
+    sides.filter(|(_, (side, _))| side.triangles == [None; 2]).map(|(s, (_, beam))| (beam, s))
 }
 
 /// For each node the slots of its forces: those of triangles in their order, then those of loose beams, then one for each of

@@ -9,6 +9,7 @@
 
 mod access;
 mod angle;
+mod areas;
 mod bounds;
 mod fire_move;
 mod fold_angles;
@@ -40,8 +41,8 @@ pub(crate) use real::Quad64;
 
 use glam::DVec3;
 
-use crate::ids::NodeId;
-use crate::model::Model;
+use crate::ids::{CreaseId, NodeId};
+use crate::model::{Model, Softening};
 use crate::scene::{Axes, Held, Scene};
 use crate::twins::fire_update::{Decision, Sums};
 use fire_move::FireMove;
@@ -190,16 +191,39 @@ impl<R: Compute> Kernel<R> {
         }
     }
 
+    /// Makes the springs so soft; they are exactly the model's without.
+    pub(crate) fn soften(&mut self, model: &Model, softening: Option<Softening>) {
+        if softening != self.layout.softening {
+            self.layout.soften(model, R::width(self.isa), softening);
+        }
+    }
+
+    /// How soft they are.
+    pub(crate) fn softening(&self) -> Option<Softening> {
+        self.layout.softening
+    }
+
+    /// The creases that softening turns back to flat: those folded to the other side than their targets.
+    pub(crate) fn wrong_sides(&self) -> Vec<CreaseId> {
+        if self.layout.softening.is_none_or(|soft| soft.wrong_side == 0.0) {
+            return Vec::new();
+        }
+        let creases = self.angles.iter().zip(&self.targets).enumerate();
+        let wrong = creases.filter(|(_, (angle, target))| angle.to_f64() * target.to_f64() < 0.0);
+        wrong.map(|(crease, _)| CreaseId::new(crease)).collect()
+    }
+
     /// First pass: fold angles and moments. The result is the most by which a crease turned since the last, in radians.
     pub(crate) fn fold_angles(&mut self) -> f64 {
         self.parallelism.step();
         if self.layout.stiffness.is_empty() {
             return 0.0;
         }
+        let wrong_side = self.layout.softening.map_or(0.0, |soft| soft.wrong_side);
         let Self { layout: Layout { hinges, stiffness, .. }, positions, targets, angles, moments, .. } = self;
         share::run::<R, _>(
             self.isa,
-            FoldAngles { positions, hinges, stiffness, targets, angles, moments },
+            FoldAngles { positions, hinges, stiffness, targets, wrong_side, angles, moments },
             self.parallelism.tasks(),
         )
     }

@@ -20,6 +20,7 @@ mod picture;
 mod place;
 mod report;
 mod resume;
+mod shards;
 mod streams;
 mod study;
 mod sweep;

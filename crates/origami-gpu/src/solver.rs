@@ -7,12 +7,14 @@ use origami_core::scene::Scene;
 use origami_core::solve::{Failed, Folded, Instance, Progress, Session, Solver, State};
 
 use crate::device::Gpu;
-use crate::engine::Engine;
+use crate::engine::{Engine, is_by_workgroup};
 use crate::error::GpuError;
 use crate::method::GpuMethod;
 use crate::outcome::backend;
 use crate::outside::Outside;
 use crate::purpose::{Dispatch, Purpose};
+use crate::sheet_arrays::SheetArrays;
+use crate::variant::Variant;
 use crate::{ensemble, inventory};
 
 impl Gpu {
@@ -42,6 +44,15 @@ impl<S: GpuMethod> OnGpu<S> {
     #[must_use]
     pub fn dispatch(self, dispatch: Dispatch) -> Self {
         Self { dispatch, ..self }
+    }
+
+    /// The way that the passes of a step reach the GPU for `model`: one of [`Dispatch::WAYS`], and not the one asked for
+    /// where the sheet is too large for it or has something that it cannot do.
+    pub fn way(&self, model: &Model) -> Dispatch {
+        let purpose = self.purpose([model].into_iter());
+        let arrays = SheetArrays::new(model);
+        let variant = Variant::new(&arrays, purpose.scheme, Some(model.material));
+        if is_by_workgroup(&arrays, &variant, purpose) { Dispatch::Workgroup } else { Dispatch::Passes }
     }
 
     /// What [`Solver::session`] gives, by its own name.
@@ -163,6 +174,21 @@ mod tests {
             .fold_all(&[Instance { model: &model, start: start.clone(), scene }], &|_, _| ControlFlow::Continue(()));
         assert!(matches!(all[0], Err(Failed::Backend { .. })), "it stays lost");
         Some((failed, reported))
+    }
+
+    #[test]
+    fn each_way_is_taken_by_some_sheet_and_told_by_its_name() {
+        let Some(gpu) = gpu() else { return };
+        let (plain, loose) = (miura(), crate::testing::sheets::loose_beams());
+        let on = |dispatch| gpu.with(Relax::default()).dispatch(dispatch);
+        for way in Dispatch::WAYS {
+            assert_eq!(on(*way).way(&plain), *way, "{way}");
+        }
+        assert_eq!(on(Dispatch::Workgroup).way(&loose), Dispatch::Passes, "it needs too many buffers");
+        assert!(Dispatch::WAYS.contains(&on(Dispatch::Auto).way(&plain)));
+        let mut names: Vec<String> = Dispatch::WAYS.iter().map(ToString::to_string).collect();
+        names.dedup();
+        assert_eq!(names.len(), Dispatch::WAYS.len());
     }
 
     #[test]

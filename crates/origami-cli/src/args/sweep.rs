@@ -197,7 +197,7 @@ impl SweepArgs {
     fn default_perturbation(&self) -> f64 {
         match self.solving.solver {
             SolverName::Relax | SolverName::Newton => Relax::default().perturbation,
-            SolverName::Dynamics => 0.0,
+            SolverName::Dynamics | SolverName::Reflect => 0.0,
         }
     }
 

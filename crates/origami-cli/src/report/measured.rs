@@ -33,6 +33,8 @@ pub(crate) enum Ending {
     Converged,
     StepsDone,
     StepLimit,
+    /// The time that it was given was over.
+    TimeLimit,
     /// A triangle was crushed to a line.
     Crushed,
     /// What computes gave up; in a sweep only.
@@ -109,7 +111,8 @@ impl From<Stop> for Ending {
             Stop::Converged => Self::Converged,
             Stop::StepsDone => Self::StepsDone,
             Stop::Crushed => Self::Crushed,
-            // The command line breaks nothing off.
+            // The command line breaks nothing off for another reason.
+            Stop::Cancelled => Self::TimeLimit,
             _ => Self::StepLimit,
         }
     }

@@ -43,8 +43,10 @@ pub(crate) enum Report {
 pub(crate) struct Run {
     /// As named on the command line.
     pub(crate) input: String,
-    /// `relax`, `dynamics` or `newton`.
+    /// `relax`, `dynamics`, `newton` or `reflect`.
     pub(crate) solver: &'static str,
+    /// Where it began: `rest` or `flat`.
+    pub(crate) from: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,
     /// The GPU.

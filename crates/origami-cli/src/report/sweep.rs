@@ -14,7 +14,7 @@ use super::{Adapter, Divergence, Measured, Seconds};
 pub(crate) struct Head {
     /// As named on the command line.
     pub(crate) input: String,
-    /// `relax`, `dynamics` or `newton`.
+    /// `relax`, `dynamics`, `newton` or `reflect`.
     pub(crate) solver: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,

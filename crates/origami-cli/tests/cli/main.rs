@@ -6,6 +6,7 @@ mod batch;
 mod convert;
 mod dangers;
 mod faults;
+mod flat;
 mod fold;
 mod formats;
 mod gpu;

@@ -53,7 +53,7 @@ pub use guard::{Diverged, Quantity};
 pub use integrator::Integrator;
 #[cfg(feature = "newton")]
 pub use newton::Newton;
-pub use path::{PathFailed, fold_path, frame_percents};
+pub use path::{PathFailed, fold_path, fold_path_from, frame_percents};
 pub use positions::{Positions, Units};
 pub use precision::Precision;
 pub use reflect::Reflect;

@@ -10,8 +10,6 @@ use super::{DEFAULT_TOLERANCE, Failed, Folded, Progress, Solver, State, Stop};
 use crate::csr::Csr;
 use crate::flat::{ANGLE_TOLERANCE, Hinge, lay};
 use crate::forces::Forces;
-use crate::ids::TriangleId;
-use crate::mesh::Side;
 use crate::model::{Inventory, Model};
 use crate::scene::{NotFlat, Refusal, Scene};
 
@@ -129,21 +127,22 @@ fn hinges(model: &Model, targets: &[f64]) -> Result<Vec<Hinge>, NotFlat> {
     for (crease, target) in model.creases.iter().zip(targets) {
         target_of_side[crease.side.index()] = Some(*target);
     }
-    let hinge = |(side, target): (&Side, Option<f64>)| {
-        let [Some(one), Some(two)] = side.triangles else { return None };
+    let mut hinges = Vec::new();
+    for (side, target) in model.mesh.sides.iter().zip(target_of_side) {
+        let [Some(one), Some(two)] = side.triangles else { continue };
         let vertices = side.nodes.map(|n| model.mesh.vertex_of_node[n.index()]);
-        let face = |t: TriangleId| model.mesh.face_of_triangle[t.index()];
+        let [face, other] = [one, two].map(|t| model.mesh.face_of_triangle[t.index()]);
         let folded = match target {
-            Some(angle) if angle.abs() < ANGLE_TOLERANCE => Ok(false),
-            Some(angle) if (angle.abs() - PI).abs() < ANGLE_TOLERANCE => Ok(true),
-            Some(angle) => Err(NotFlat::Angle { vertices, degrees: angle.to_degrees() }),
+            Some(angle) if angle.abs() < ANGLE_TOLERANCE => false,
+            Some(angle) if (angle.abs() - PI).abs() < ANGLE_TOLERANCE => true,
+            Some(angle) => return Err(NotFlat::Angle { vertices, degrees: angle.to_degrees() }),
             // Inside a face, where a triangle is too thin for a spring.
-            None if face(one) == face(two) => Ok(false),
-            None => Err(NotFlat::Undriven(vertices)),
+            None if face == other => false,
+            None => return Err(NotFlat::Undriven(vertices)),
         };
-        Some(folded.map(|folded| Hinge { faces: [one.0, two.0], ends: side.nodes.map(|n| n.0), folded }))
-    };
-    model.mesh.sides.iter().zip(target_of_side).filter_map(hinge).collect()
+        hinges.push(Hinge { faces: [one.0, two.0], ends: side.nodes.map(|n| n.0), folded });
+    }
+    Ok(hinges)
 }
 
 /// Triangles that stay where they are: those with the most nodes that do not move come first.

@@ -83,13 +83,14 @@ impl<S: GpuMethod> Solver for OnGpu<S> {
         Box::new(self.on(model))
     }
 
-    fn fold_all(
+    fn fold_each(
         &self,
         instances: &[Instance<'_>],
         observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
-    ) -> Vec<Result<Folded, Failed>> {
+        take: &(dyn Fn(usize, Result<Folded, Failed>) -> ControlFlow<()> + Sync),
+    ) {
         let purpose = self.purpose(instances.iter().map(|i| i.model));
-        ensemble::fold_all(&self.gpu, self.method.method(), purpose, instances, observe)
+        ensemble::fold_each(&self.gpu, self.method.method(), purpose, instances, observe, take);
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
@@ -123,6 +124,9 @@ impl<S: GpuMethod> Session for OnModel<'_, S> {
         scene: &Scene,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
+        let instance = Instance { model: self.model, start: start.clone(), scene: scene.clone() };
+        // Before whatever came of building an engine for it.
+        self.on.method.method().check(&instance).map_err(|refusal| Failed::refused(refusal, start))?;
         // Supports and loads need room: where a scene brings some, the engine is built once more.
         if let Ok(engine) = &self.engine
             && !engine.outside().covers(scene)
@@ -130,7 +134,6 @@ impl<S: GpuMethod> Session for OnModel<'_, S> {
             self.engine = Engine::new(&self.on.gpu, self.model, &engine.outside().with(scene), self.purpose);
         }
         let engine = self.engine.as_mut().map_err(|error| backend(error.clone(), start, 0))?;
-        let instance = Instance { model: self.model, start: start.clone(), scene: scene.clone() };
         let mut results = self.on.method.method().run(engine, &[instance], &mut |_, progress| observe(progress));
         results.pop().expect("one result for one instance")
     }

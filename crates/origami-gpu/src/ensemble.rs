@@ -21,7 +21,7 @@ pub(crate) fn fold_all(
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
 ) -> Vec<Result<Folded, Failed>> {
-    let most = |arrays: &SheetArrays| most_instances(gpu, arrays, purpose.scheme);
+    let most = |arrays: &SheetArrays| most_instances(gpu, arrays, purpose);
     in_runs(gpu, method, purpose, instances, observe, most)
 }
 

@@ -22,7 +22,7 @@ pub(crate) fn fold_each(
     observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
     take: &(dyn Fn(usize, Result<Folded, Failed>) -> ControlFlow<()> + Sync),
 ) {
-    let most = |arrays: &SheetArrays| most_instances(gpu, arrays, purpose.scheme);
+    let most = |arrays: &SheetArrays| most_instances(gpu, arrays, purpose);
     let _ = in_runs(gpu, method, purpose, (instances, observe, take), most);
 }
 

@@ -13,6 +13,9 @@ pub enum Dispatch {
     Passes,
     /// One workgroup for each sheet, which takes many steps in one dispatch.
     Workgroup,
+    /// A workgroup for each block of nodes, which computes from their positions all that pulls at them: fewer bytes, more
+    /// arithmetic. Where no workgroup's memory holds what pulls at one node: by passes.
+    Blocks,
 }
 
 impl Dispatch {

@@ -153,14 +153,23 @@ impl Engine {
                 end_target: narrow(*end),
             }));
         }
-        let angles: Vec<f32> = creases.iter().map(|c: &CreaseState| c.angle).collect();
         self.gpu.scoped(|| {
             self.write(Binding::Control, &controls);
             self.write(Binding::Nodes, &nodes);
-            self.write(Binding::CreaseStates, &creases);
             // The start is the first good state.
             self.write(Binding::CheckpointNodes, &nodes);
-            self.write(Binding::CheckpointAngles, &angles);
+            if let Some(copies) = &self.copies {
+                let of_each = creases.chunks(copies.creases().max(1)).flat_map(|own| copies.spread(own));
+                let (angles, targets): (Vec<f32>, Vec<[f32; 2]>) =
+                    of_each.map(|c| (c.angle, [c.start_target, c.end_target])).unzip();
+                self.write(Binding::Angles, &angles);
+                self.write(Binding::Targets, &targets);
+                self.write(Binding::CheckpointAngles, &angles);
+            } else {
+                let angles: Vec<f32> = creases.iter().map(|c: &CreaseState| c.angle).collect();
+                self.write(Binding::CreaseStates, &creases);
+                self.write(Binding::CheckpointAngles, &angles);
+            }
             self.write_loads(beginnings.iter().map(|b| &b.loads[..]));
         })
     }
@@ -170,7 +179,11 @@ impl Engine {
         if self.load_slots.is_empty() {
             return;
         }
-        let each = self.variant.slots;
+        // Passes have one more slot for each load, blocks a load for each node.
+        let (binding, each) = match self.copies {
+            Some(_) => (Binding::Loads, self.variant.nodes),
+            None => (Binding::Slots, self.variant.slots),
+        };
         let mut slots = vec![[0.0_f32; 4]; each * of_instances.len()];
         for (loads, slots) in of_instances.zip(slots.chunks_exact_mut(each)) {
             let mut forces = vec![DVec3::ZERO; self.load_slots.len()];
@@ -179,11 +192,12 @@ impl Engine {
                     forces[i] += load.force;
                 }
             }
-            for ((_, slot), force) in self.load_slots.iter().zip(forces) {
-                slots[*slot as usize][..3].copy_from_slice(&single(force));
+            for ((node, slot), force) in self.load_slots.iter().zip(forces) {
+                let at = if self.copies.is_some() { node.index() } else { *slot as usize };
+                slots[at][..3].copy_from_slice(&single(force));
             }
         }
-        self.write(Binding::Slots, &slots);
+        self.write(binding, &slots);
     }
 
     pub(crate) fn write<T: Pod>(&self, binding: Binding, contents: &[T]) {
@@ -224,11 +238,25 @@ impl Engine {
         reading.wait(&self.gpu)
     }
 
+    /// The states of the creases of each instance. Blocks know the fold angles alone.
+    fn read_creases(&self, instances: usize) -> Result<Vec<Vec<CreaseState>>, GpuError> {
+        let each = self.variant.creases;
+        let own = |i: usize| i * each..(i + 1) * each;
+        if let Some(copies) = &self.copies {
+            let angles: Vec<f32> = self.read(Binding::Angles, instances * each)?;
+            let state = |angle| CreaseState { angle, ..CreaseState::default() };
+            let of = |i| copies.collect(&angles[own(i)]).into_iter().map(state).collect();
+            return Ok((0..instances).map(of).collect());
+        }
+        let creases: Vec<CreaseState> = self.read(Binding::CreaseStates, instances * each)?;
+        Ok((0..instances).map(|i| creases[own(i)].to_vec()).collect())
+    }
+
     pub(crate) fn endings(&self, instances: usize, cancelled: bool) -> Result<Vec<Ending>, GpuError> {
         let controls: Vec<Control> = self.read(Binding::Control, instances)?;
         let (node_count, crease_count) = (self.variant.nodes, self.variant.creases);
         let nodes: Vec<Node> = self.read(Binding::Nodes, instances * node_count)?;
-        let creases: Vec<CreaseState> = self.read(Binding::CreaseStates, instances * crease_count)?;
+        let creases = self.read_creases(instances)?;
         let diverged = controls.iter().any(|c| c.bad_node != NONE);
         let checkpoint_nodes: Vec<Node> =
             if diverged { self.read(Binding::CheckpointNodes, instances * node_count)? } else { Vec::new() };
@@ -242,9 +270,12 @@ impl Engine {
                 cancelled,
                 control,
                 nodes: nodes[own_nodes.clone()].to_vec(),
-                creases: creases[own_creases.clone()].to_vec(),
-                checkpoint: bad
-                    .then(|| (checkpoint_nodes[own_nodes].to_vec(), checkpoint_angles[own_creases].to_vec())),
+                creases: creases[i].clone(),
+                checkpoint: bad.then(|| {
+                    let angles = &checkpoint_angles[own_creases];
+                    let angles = self.copies.as_ref().map_or(angles.to_vec(), |copies| copies.collect(angles));
+                    (checkpoint_nodes[own_nodes].to_vec(), angles)
+                }),
             }
         };
         Ok(controls.into_iter().enumerate().map(ending).collect())
@@ -284,6 +315,7 @@ fn narrow(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::purpose::Dispatch;
     use crate::testing::bench::EULER;
     use crate::testing::cases::miura;
     use crate::testing::gpu;
@@ -291,7 +323,7 @@ mod tests {
     #[test]
     fn a_kernel_that_was_cut_short_is_noticed() {
         let Some(gpu) = gpu() else { return };
-        let engine = Engine::bare(&gpu, &miura(), EULER).expect("it fits");
+        let engine = Engine::bare(&gpu, &miura(), EULER, Dispatch::Passes).expect("it fits");
         let at = |step: u32| Control { step, limit: 250, bad_node: NONE, ..Control::default() };
         assert_eq!(engine.check_steps(&[at(100), at(100)], 100), Ok(()));
         assert_eq!(engine.check_steps(&[at(250)], 300), Ok(()), "the limit came first");

@@ -94,7 +94,7 @@ impl<S: GpuMethod> Solver for OnGpu<S> {
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
-        inventory::of(model, self.method.inventory(model), self.purpose([model].into_iter()))
+        inventory::of(model, self.method.inventory(model), self.purpose([model].into_iter()), self.gpu.is_hardware())
     }
 }
 

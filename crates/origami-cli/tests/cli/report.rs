@@ -7,9 +7,10 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 33] = [
+const KEYS: [&str; 34] = [
     "input",
     "solver",
+    "from",
     "backend",
     "adapter",
     "percent",

@@ -31,6 +31,8 @@ shaders! {
     CONTROL = "control.wgsl";
     /// The state of a sheet, with positions finer than f32.
     STATE = "state.wgsl";
+    /// The ramp of the target angles.
+    RAMP = "ramp.wgsl";
     /// Angles from sine and cosine.
     ANGLE = "angle.wgsl";
     /// One material for all instances.
@@ -41,6 +43,14 @@ shaders! {
     RIGIDITY_UNIFORM = "rigidity_uniform.wgsl";
     /// Beams with a rigidity of their own.
     RIGIDITY_OWN = "rigidity_own.wgsl";
+    /// Nodes, for passes over all elements.
+    WHOLE_NODES = "whole_nodes.wgsl";
+    /// The state of the creases, for the same.
+    WHOLE_CREASES = "whole_creases.wgsl";
+    /// Lists of creases and triangles, for the same.
+    WHOLE_LISTS = "whole_lists.wgsl";
+    /// Corner angles at rest, for the same.
+    WHOLE_CORNERS = "whole_corners.wgsl";
     /// Corner angles of a triangle.
     CORNER_ANGLES = "corner_angles.wgsl";
     /// A scene without them.
@@ -49,8 +59,16 @@ shaders! {
     HINGE = "hinge.wgsl";
     /// A triangle and its sides.
     FACE = "face.wgsl";
+    /// A beam outside any face.
+    LOOSE_BEAM = "loose_beam.wgsl";
+    /// Where forces on the nodes are left.
+    SLOTS = "slots.wgsl";
     /// Forces on a node, summed in fixed order.
     GATHER = "gather.wgsl";
+    /// The clock of dynamics.
+    CLOCK = "clock.wgsl";
+    /// One step of a node.
+    MOTION = "motion.wgsl";
     /// Sums over a workgroup.
     REDUCE = "reduce.wgsl";
     /// Sums of the workgroups.

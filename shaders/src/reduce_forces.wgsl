@@ -8,7 +8,7 @@ fn reduce_forces(
 ) {
     var own = vec4<f32>(0.0);
     if (id.x < NODES && control[id.y].stop == RUNNING) {
-        own = reduce_node(id.y, id.x);
+        own = reduce_node(id.y, id.x, gathered(id.y, id.x));
     }
     let sum = workgroup_sum(local, own);
     if (local == 0u) {

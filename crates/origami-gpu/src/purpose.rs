@@ -1,5 +1,7 @@
 //! What an engine is built for.
 
+use std::fmt;
+
 use crate::variant::Scheme;
 
 /// How the passes of a step reach the GPU.
@@ -11,6 +13,23 @@ pub enum Dispatch {
     Passes,
     /// One workgroup for each sheet, which takes many steps in one dispatch.
     Workgroup,
+}
+
+impl Dispatch {
+    /// All ways that there are: each but [`Dispatch::Auto`], which is one of them. [`OnGpu::way`](crate::OnGpu::way) tells
+    /// which a sheet can go.
+    pub const WAYS: &[Self] = &[Self::Passes, Self::Workgroup];
+}
+
+/// `auto`, `passes` or `one workgroup`.
+impl fmt::Display for Dispatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Auto => "auto",
+            Self::Passes => "passes",
+            Self::Workgroup => "one workgroup",
+        })
+    }
 }
 
 /// Nodes up to which [`Dispatch::Auto`] gives a workgroup the whole sheet.

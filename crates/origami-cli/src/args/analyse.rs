@@ -13,6 +13,7 @@ Examples:
   origami analyse equilibria kresling.fold press.json -o out   Its states without load, and barriers between them
   origami analyse stiffness kresling.fold press.json -o out    How it answers to the first bit of load
   origami analyse modes kresling.fold -n 12 -o out             How it vibrates
+  origami analyse buckling column.fold press.json -o out       At which load it buckles, roughly
   origami analyse path --help                                  What a job says, and all settings
 
 docs/ANALYSIS.md is a tutorial.";
@@ -50,6 +51,7 @@ pub(crate) enum Analysis {
     Equilibria(EquilibriaArgs),
     Stiffness(StiffnessArgs),
     Modes(ModesArgs),
+    Buckling(BucklingArgs),
 }
 
 /// What is analysed, and where the results go.
@@ -148,6 +150,27 @@ pub(crate) struct ModesArgs {
     pub(crate) count: usize,
 
     /// How far the node that moves farthest is moved in modes.fold, in radii of the sheet
+    #[arg(long, value_name = "RADII", default_value_t = 0.1)]
+    pub(crate) amplitude: f64,
+}
+
+/// Find at which load the sheet buckles, by linear analysis.
+///
+/// Writes buckling.json (critical load factors) and buckling.fold (a frame for each, with the sheet moved by its shape). It
+/// takes the sheet to answer to all of its load as to the first bit: where it deforms much before it buckles, or snaps, only
+/// `origami analyse path` tells.
+#[derive(Args)]
+#[command(after_help = "Example:\n  origami analyse buckling column.fold press.json -n 3 -o out")]
+pub(crate) struct BucklingArgs {
+    /// What is analysed.
+    #[command(flatten)]
+    pub(crate) subject: SubjectArgs,
+
+    /// How many critical loads, the smallest first
+    #[arg(short = 'n', long, value_name = "N", default_value_t = 3)]
+    pub(crate) count: usize,
+
+    /// How far the node that moves farthest is moved in buckling.fold, in radii of the sheet
     #[arg(long, value_name = "RADII", default_value_t = 0.1)]
     pub(crate) amplitude: f64,
 }

@@ -99,6 +99,10 @@ mod present {
         let forces = stiffness["reactions"].as_array().unwrap().iter().filter(|r| r["axis"] == "z");
         assert!((forces.map(|r| r["force"].as_f64().unwrap()).sum::<f64>() - 1.0).abs() < 1e-9);
 
+        place.run("analyse buckling pyramid.fold press.json -n 1 -q -o out").succeeds();
+        let critical = &place.json("out/buckling.json")["load_factors"];
+        assert!(critical[0].as_f64().is_some_and(|factor| factor > 0.0), "{critical}");
+
         let job = place.text("press.json");
         let heavy = job.replace("\"force\": \"N\"", "\"force\": \"N\", \"mass\": \"g\"").replacen(
             "\"supports\"",

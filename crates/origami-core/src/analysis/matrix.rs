@@ -55,6 +55,16 @@ impl Matrix {
         }
     }
 
+    /// All entries, in their order.
+    pub(super) fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Other ones in their places.
+    pub(super) fn set_values(&mut self, values: impl Iterator<Item = f64>) {
+        self.values.iter_mut().zip(values).for_each(|(own, value)| *own = value);
+    }
+
     pub(super) fn as_ref(&self) -> SparseColMatRef<'_, usize, f64> {
         SparseColMatRef::new(self.structure.as_ref(), &self.values)
     }

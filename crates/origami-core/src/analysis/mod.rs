@@ -1,10 +1,22 @@
 //! Structural analysis: folded sheets as structures of bars and hinges that are held, loaded and followed through
 //! snap-through.
 //!
-//! A [`Structure`] says what there is, in the caller's own units; [`Structure::of`] makes one of a sheet. [`Tangent`] is its
-//! stiffness in one state, [`Trace`] the path of its states as the load grows.
+//! A [`Structure`] says what there is, in the caller's own units; [`Structure::of`] makes one of a sheet, [`job`] of a file. From
+//! there:
+//!
+//! | what is asked | call |
+//! |---|---|
+//! | the path of its states as the load grows | [`Structure::trace`] |
+//! | states without load, and barriers between them | [`Trace::equilibria`] |
+//! | one state under a load | [`Structure::equilibrium`] |
+//! | its answer to the first bit of load | [`Structure::first_order`] |
+//! | at which load it buckles, by linear analysis | [`Structure::buckling`] |
+//! | how it vibrates | [`Structure::modes`] |
+//! | how a result changes with what it is made of | [`Structure::gradient`] |
+//! | its stiffness in one state, factorised | [`Structure::tangent`] |
 
 mod adjoint;
+mod buckling;
 mod check;
 mod compliance;
 mod configuration;
@@ -25,6 +37,7 @@ mod tangent;
 mod trace;
 
 pub use adjoint::Gradient;
+pub use buckling::Buckling;
 pub use compliance::FirstOrder;
 pub use configuration::Configuration;
 pub use dof::{Axis, Dof};

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use origami_core::analysis::{
-    Axis, Bar, BarLaw, Dof, Hinge, HingeKind, HingeLaw, ModeKind, Path, Refused, Start, Structure,
+    Axis, Bar, BarLaw, Dof, Event, Hinge, HingeKind, HingeLaw, ModeKind, Path, Refused, Start, Structure, Until,
 };
 use origami_core::glam::DVec3;
 use origami_core::ids::NodeId;
@@ -113,6 +113,85 @@ fn pressure_follows_a_triangle_and_a_dead_load_does_not() {
     let theta = follow(&structure);
     let left = stiffness * theta - pressure * area * height / 3.0 * theta.cos();
     assert!(left.abs() < 1e-6 && (theta - 0.9148565).abs() < 1e-6, "{theta}");
+}
+
+/// A strip of `links` square panels of side `a` above a clamped one, with springs `stiffness` between them, rigid but for that.
+fn column(links: u32, a: f64, stiffness: f64) -> Structure {
+    let mut structure = Structure::default();
+    for j in 0..links + 2 {
+        let z = a * (f64::from(j) - 1.0);
+        structure.nodes.extend([DVec3::new(-0.5 * a, 0.0, z), DVec3::new(0.5 * a, 0.0, z)]);
+    }
+    let node = |j: u32, right: u32| NodeId(2 * j + right);
+    let mut bar = |nodes: [NodeId; 2]| {
+        let rest_length = structure.nodes[nodes[0].index()].distance(structure.nodes[nodes[1].index()]);
+        structure.bars.push(Bar { nodes, rest_length, rigidity: 1e5, law: BarLaw::Linear });
+    };
+    for j in 0..links + 2 {
+        bar([node(j, 0), node(j, 1)]);
+        if j <= links {
+            bar([node(j, 0), node(j + 1, 0)]);
+            bar([node(j, 1), node(j + 1, 1)]);
+            bar([node(j, 0), node(j + 1, 1)]);
+        }
+    }
+    let mut hinge = |nodes: [NodeId; 4], stiffness: f64, kind| {
+        structure.hinges.push(Hinge { nodes, rest_angle: 0.0, stiffness, law: HingeLaw::Linear, kind });
+    };
+    for j in 0..=links {
+        hinge([node(j + 1, 0), node(j, 1), node(j, 0), node(j + 1, 1)], 1e3, HingeKind::Facet);
+        if j > 0 {
+            hinge([node(j + 1, 1), node(j - 1, 0), node(j, 0), node(j, 1)], stiffness, HingeKind::Crease);
+        }
+    }
+    for clamped in 0..4 {
+        structure.hold(NodeId(clamped), Axes::ALL);
+    }
+    structure.loads.points = [0, 1].map(|right| (node(links + 1, right), -0.5 * DVec3::Z)).to_vec();
+    structure
+}
+
+#[test]
+fn a_column_of_rigid_links_buckles_at_its_load() {
+    // P = (4 K / a) sin^2((2 m - 1) pi / (2 (2 n + 1))) for the m-th shape.
+    let (links, a, stiffness) = (8, 0.1, 0.03);
+    let structure = column(links, a, stiffness);
+    let found = structure.buckling(2).expect("critical loads");
+    let load = |m: f64| {
+        let half = (2.0 * m - 1.0) * std::f64::consts::PI / (2.0 * f64::from(2 * links + 1));
+        4.0 * stiffness / a * half.sin().powi(2)
+    };
+    assert!((load(1.0) - 0.010216140189658931).abs() < 1e-12, "{}", load(1.0));
+    for (m, buckling) in [1.0, 2.0].into_iter().zip(&found) {
+        let error = buckling.load_factor / load(m) - 1.0;
+        assert!(error.abs() < 2e-5, "{m}: {} is not {}", buckling.load_factor, load(m));
+    }
+    // It leans over to the side, farthest at the top.
+    let tip = found[0].shape.last().expect("a node");
+    assert!((tip.y.abs() - 1.0).abs() < 1e-6 && tip.z.abs() < 1e-6, "{tip}");
+    // A path finds the same: there the straight column's inertia changes.
+    let trace = structure.trace(
+        &Start::default(),
+        &Path { until: vec![Until::LoadFactor(1.05 * load(1.0))], ..Path::default() },
+        &mut |_| ControlFlow::Continue(()),
+    );
+    let trace = trace.expect("a path");
+    let first = trace.points.iter().find(|p| matches!(p.event, Event::Bifurcation { .. })).expect("a bifurcation");
+    assert!((first.load_factor / load(1.0) - 1.0).abs() < 1e-4, "{}", first.load_factor);
+    // Followed to the side, the load hardly rises: the tip goes down and in.
+    let aside = Start::branch(first, 0, 1.0).expect("a branch");
+    let path = Path::steps(20);
+    let branch = structure.trace(&aside, &path, &mut |_| ControlFlow::Continue(())).expect("a path");
+    let last = branch.points.last().expect("some");
+    let lean = last.configuration.positions[17].y.abs();
+    assert!(lean > 0.1 && last.load_factor > load(1.0) && last.negative == 0, "{lean} {}", last.load_factor);
+}
+
+#[test]
+fn what_does_not_buckle_has_no_critical_load() {
+    let mut structure = column(3, 0.1, 0.03);
+    structure.loads.points.iter_mut().for_each(|(_, force)| *force = -*force);
+    assert_eq!(structure.buckling(3), Ok(Vec::new()));
 }
 
 #[test]

@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "checkpoint",
     text: wgsl::CHECKPOINT,
     shared: SHARED,
-    parts: |_| Vec::new(),
+    parts: |_| vec![wgsl::WHOLE_CREASES],
     uses: &[
         Binding::Control,
         Binding::Nodes,

@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "integrate",
     text: wgsl::INTEGRATE,
     shared: SHARED,
-    parts: |_| vec![wgsl::GATHER],
+    parts: |_| vec![wgsl::SLOTS, wgsl::GATHER, wgsl::MOTION],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows],
     springs: false,
     per: Per::Node,

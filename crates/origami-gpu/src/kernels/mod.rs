@@ -157,14 +157,20 @@ const WHOLE_SHEET: &[Binding] = &[
 
 /// The parts that tell how stiff a crease is.
 fn creases(variant: &Variant) -> Vec<&'static str> {
-    vec![variant.material(), wgsl::ANGLE, wgsl::HINGE]
+    let mut parts = vec![variant.material(), wgsl::ANGLE, wgsl::RAMP, wgsl::HINGE, wgsl::FACE];
+    parts.extend([wgsl::WHOLE_NODES, wgsl::WHOLE_CREASES, wgsl::WHOLE_LISTS]);
+    parts
 }
 
 /// The parts that the triangles' forces and row sums have in common.
 fn springs(variant: &Variant) -> Vec<&'static str> {
     let mut parts = creases(variant);
-    parts.push(wgsl::FACE);
-    parts.push(if variant.corners { wgsl::CORNER_ANGLES } else { wgsl::CORNER_ANGLES_NONE });
+    parts.push(wgsl::SLOTS);
+    parts.extend(if variant.corners {
+        &[wgsl::CORNER_ANGLES, wgsl::WHOLE_CORNERS][..]
+    } else {
+        &[wgsl::CORNER_ANGLES_NONE]
+    });
     parts.push(if variant.rigidities { wgsl::RIGIDITY_OWN } else { wgsl::RIGIDITY_UNIFORM });
     parts
 }

@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "reduce_forces",
     text: wgsl::REDUCE_FORCES,
     shared: SHARED,
-    parts: |_| vec![wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::FIRE],
+    parts: |_| vec![wgsl::SLOTS, wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::FIRE],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows, Binding::Partials],
     springs: false,
     per: Per::Node,

@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "settle_windows",
     text: wgsl::SETTLE_WINDOWS,
     shared: SHARED,
-    parts: |_| vec![wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::WINDOWS],
+    parts: |_| vec![wgsl::SLOTS, wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::WINDOWS],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows, Binding::Partials, Binding::Windows],
     springs: false,
     per: Per::Node,

@@ -3,6 +3,8 @@
 #[cfg(not(feature = "analysis"))]
 mod absent;
 #[cfg(feature = "analysis")]
+mod buckling;
+#[cfg(feature = "analysis")]
 mod curve;
 #[cfg(feature = "analysis")]
 mod equilibria;

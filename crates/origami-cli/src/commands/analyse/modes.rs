@@ -43,12 +43,7 @@ pub(super) fn run(args: &ModesArgs) -> Result<Exit, Failure> {
     let setup = &subject.setup;
     let drawn = setup.structure.as_drawn();
     let modes = setup.structure.modes(&drawn, 0.0, args.count).map_err(|refused| subject.refused(&refused))?;
-    let moved = |mode: &Mode| {
-        let far = args.amplitude * setup.radius;
-        let positions: Vec<_> = drawn.positions.iter().zip(&mode.shape).map(|(p, s)| *p + *s * far).collect();
-        Configuration { fold_angles: setup.structure.fold_angles(&positions, &drawn.fold_angles), positions }
-    };
-    let states: Vec<Configuration> = modes.iter().map(moved).collect();
+    let states: Vec<Configuration> = modes.iter().map(|mode| subject.moved(&mode.shape, args.amplitude)).collect();
     subject.write_frames("modes.fold", states.iter().enumerate().map(|(i, state)| (state, MODE, Value::from(i))))?;
     let frequency = |mode: &Mode| {
         let vibrates = mode.kind != ModeKind::Free && mode.eigenvalue > 0.0;

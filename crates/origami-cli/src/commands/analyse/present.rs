@@ -1,6 +1,6 @@
 //! A build with the feature `analysis`.
 
-use super::{equilibria, modes, path, stiffness};
+use super::{buckling, equilibria, modes, path, stiffness};
 use crate::args::{AnalyseArgs, Analysis};
 use crate::exit::{Exit, Failure};
 
@@ -11,5 +11,6 @@ pub(in crate::commands) fn run(args: &AnalyseArgs) -> Result<Exit, Failure> {
         Analysis::Equilibria(args) => equilibria::run(args),
         Analysis::Stiffness(args) => stiffness::run(args),
         Analysis::Modes(args) => modes::run(args),
+        Analysis::Buckling(args) => buckling::run(args),
     }
 }

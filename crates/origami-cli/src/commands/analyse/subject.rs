@@ -6,6 +6,7 @@ use origami::analysis::job::{Job, Setup};
 use origami::analysis::{Configuration, Refused};
 use origami::export::{Pose, Template, write_whole};
 use origami::fold::Document;
+use origami::glam::DVec3;
 use origami::measure::edge_fold_angles;
 use origami::{CreasePattern, Error, Model};
 use serde::Serialize;
@@ -110,6 +111,14 @@ impl Subject {
             frame.extra.insert(key.to_owned(), note);
         }
         write_whole(self.output.join(name), |writer| animation.write_to(writer)).map_err(Failure::from)
+    }
+
+    /// The sheet as drawn, its nodes moved by `shape` so that the farthest goes `amplitude` radii.
+    pub(super) fn moved(&self, shape: &[DVec3], amplitude: f64) -> Configuration {
+        let structure = &self.setup.structure;
+        let far = amplitude * self.setup.radius;
+        let positions: Vec<DVec3> = structure.nodes.iter().zip(shape).map(|(p, s)| *p + *s * far).collect();
+        Configuration { fold_angles: structure.fold_angles(&positions, &structure.as_drawn().fold_angles), positions }
     }
 
     /// Tells one line, where that is wanted.

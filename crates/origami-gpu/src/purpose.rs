@@ -21,16 +21,17 @@ pub enum Dispatch {
 impl Dispatch {
     /// All ways that there are: each but [`Dispatch::Auto`], which is one of them. [`OnGpu::way`](crate::OnGpu::way) tells
     /// which a sheet can go.
-    pub const WAYS: &[Self] = &[Self::Passes, Self::Workgroup];
+    pub const WAYS: &[Self] = &[Self::Passes, Self::Workgroup, Self::Blocks];
 }
 
-/// `auto`, `passes` or `one workgroup`.
+/// `auto`, `passes`, `one workgroup` or `blocks`.
 impl fmt::Display for Dispatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Auto => "auto",
             Self::Passes => "passes",
             Self::Workgroup => "one workgroup",
+            Self::Blocks => "blocks",
         })
     }
 }

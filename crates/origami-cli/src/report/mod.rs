@@ -7,7 +7,7 @@ mod note;
 mod scene;
 mod sweep;
 
-pub(crate) use adapter::{Adapter, AdapterDetails};
+pub(crate) use adapter::{Adapter, AdapterDetails, By};
 pub(crate) use attitude::attitude;
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use note::Note;
@@ -46,6 +46,8 @@ pub(crate) struct Run {
     pub(crate) solver: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,
+    /// What decided that.
+    pub(crate) backend_by: By,
     /// The GPU.
     pub(crate) adapter: Option<Adapter>,
     /// What was built.

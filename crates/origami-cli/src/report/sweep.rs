@@ -5,7 +5,7 @@ use origami::solve::Point;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::{Adapter, Divergence, Measured, SceneFacts, Seconds};
+use super::{Adapter, By, Divergence, Measured, SceneFacts, Seconds};
 
 /// What sweep.json begins with: all that a sweep goes on with must have been made with the same.
 #[derive(Debug, Serialize)]
@@ -16,6 +16,8 @@ pub(crate) struct Head {
     pub(crate) solver: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,
+    /// What decided that.
+    pub(crate) backend_by: By,
     /// The GPU.
     pub(crate) adapter: Option<Adapter>,
     /// `f64` or `mixed` on the processor, `f32` on a GPU.

@@ -7,10 +7,11 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 33] = [
+const KEYS: [&str; 34] = [
     "input",
     "solver",
     "backend",
+    "backend_by",
     "adapter",
     "percent",
     "precision",

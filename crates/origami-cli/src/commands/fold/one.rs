@@ -111,6 +111,7 @@ fn attempt(
         input: input.to_string(),
         solver: settings.solver_name.name(),
         backend: if on_gpu { "gpu" } else { "cpu" },
+        backend_by: computer.by,
         adapter: computer.adapter,
         precision: settings.precisions[usize::from(on_gpu)],
         scene,

@@ -105,6 +105,11 @@ impl Gpu {
         &self.inner.limits
     }
 
+    /// Whether its adapter is known to be hardware.
+    pub(crate) fn is_hardware(&self) -> bool {
+        self.adapter().kind.is_hardware()
+    }
+
     /// Bytes that a buffer may have which shaders read and write.
     pub(crate) fn largest_buffer(&self) -> u64 {
         self.limits().max_storage_buffer_binding_size.min(self.limits().max_buffer_size)

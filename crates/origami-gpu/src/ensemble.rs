@@ -28,9 +28,8 @@ pub(crate) fn fold_each(
     observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
     take: &(dyn Fn(usize, Result<Folded, Failed>) -> ControlFlow<()> + Sync),
 ) {
-    let most = |arrays: &SheetArrays| {
-        most_instances(gpu, arrays, purpose.scheme).min(NODES_AT_ONCE / arrays.nodes.max(1)).max(1)
-    };
+    let most =
+        |arrays: &SheetArrays| most_instances(gpu, arrays, purpose).min(NODES_AT_ONCE / arrays.nodes.max(1)).max(1);
     let _ = in_runs(gpu, method, purpose, (instances, observe, take), most);
 }
 

@@ -46,6 +46,7 @@
 #![forbid(unsafe_code)]
 
 mod adapter;
+mod blocks;
 #[cfg(test)]
 mod buffer_table;
 mod device;
@@ -70,6 +71,7 @@ mod purpose;
 mod relax;
 #[cfg(feature = "render")]
 pub mod render;
+mod route;
 mod run;
 #[cfg(test)]
 mod shader_checks;

@@ -165,14 +165,24 @@ impl Engine {
             return Ok(());
         }
         let Written { controls, nodes, creases } = Written::of(beginnings, self.variant.relaxing());
-        let angles: Vec<f32> = creases.iter().map(|c: &CreaseState| c.angle).collect();
+        let (node_count, crease_count) = (self.variant.nodes, self.variant.creases);
         self.gpu.scoped(|| {
             self.write_from(first, 1, Binding::Control, &controls);
-            self.write_from(first, self.variant.nodes, Binding::Nodes, &nodes);
-            self.write_from(first, self.variant.creases, Binding::CreaseStates, &creases);
+            self.write_from(first, node_count, Binding::Nodes, &nodes);
             // The start is the first good state.
-            self.write_from(first, self.variant.nodes, Binding::CheckpointNodes, &nodes);
-            self.write_from(first, self.variant.creases, Binding::CheckpointAngles, &angles);
+            self.write_from(first, node_count, Binding::CheckpointNodes, &nodes);
+            if let Some(copies) = &self.copies {
+                let of_each = creases.chunks(copies.creases().max(1)).flat_map(|own| copies.spread(own));
+                let (angles, targets): (Vec<f32>, Vec<[f32; 2]>) =
+                    of_each.map(|c| (c.angle, [c.start_target, c.end_target])).unzip();
+                self.write_from(first, crease_count, Binding::Angles, &angles);
+                self.write_from(first, crease_count, Binding::Targets, &targets);
+                self.write_from(first, crease_count, Binding::CheckpointAngles, &angles);
+            } else {
+                let angles: Vec<f32> = creases.iter().map(|c: &CreaseState| c.angle).collect();
+                self.write_from(first, crease_count, Binding::CreaseStates, &creases);
+                self.write_from(first, crease_count, Binding::CheckpointAngles, &angles);
+            }
             self.write_loads(first, beginnings.iter().map(|b| &b.loads[..]));
         })
     }
@@ -182,7 +192,11 @@ impl Engine {
         if self.load_slots.is_empty() {
             return;
         }
-        let each = self.variant.slots;
+        // Passes have one more slot for each load, blocks a load for each node.
+        let (binding, each) = match self.copies {
+            Some(_) => (Binding::Loads, self.variant.nodes),
+            None => (Binding::Slots, self.variant.slots),
+        };
         let mut slots = vec![[0.0_f32; 4]; each * of_instances.len()];
         for (loads, slots) in of_instances.zip(slots.chunks_exact_mut(each)) {
             let mut forces = vec![DVec3::ZERO; self.load_slots.len()];
@@ -191,11 +205,12 @@ impl Engine {
                     forces[i] += load.force;
                 }
             }
-            for ((_, slot), force) in self.load_slots.iter().zip(forces) {
-                slots[*slot as usize][..3].copy_from_slice(&single(force));
+            for ((node, slot), force) in self.load_slots.iter().zip(forces) {
+                let at = if self.copies.is_some() { node.index() } else { *slot as usize };
+                slots[at][..3].copy_from_slice(&single(force));
             }
         }
-        self.write_from(first, each, Binding::Slots, &slots);
+        self.write_from(first, each, binding, &slots);
     }
 
     /// Writes the beginning of a buffer.
@@ -282,6 +297,7 @@ fn narrow(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::purpose::Dispatch;
     use crate::testing::bench::EULER;
     use crate::testing::cases::miura;
     use crate::testing::gpu;
@@ -289,7 +305,7 @@ mod tests {
     #[test]
     fn a_kernel_that_was_cut_short_is_noticed() {
         let Some(gpu) = gpu() else { return };
-        let engine = Engine::bare(&gpu, &miura(), EULER).expect("it fits");
+        let engine = Engine::bare(&gpu, &miura(), EULER, Dispatch::Passes).expect("it fits");
         let at = |step: u32| Control { step, limit: 250, bad_node: NONE, ..Control::default() };
         assert_eq!(engine.check_steps(&[at(100), at(100)], 100), Ok(()));
         assert_eq!(engine.check_steps(&[at(250)], 300), Ok(()), "the limit came first");

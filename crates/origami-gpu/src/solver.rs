@@ -7,12 +7,13 @@ use origami_core::scene::Scene;
 use origami_core::solve::{Failed, Folded, Instance, Progress, Session, Solver, State};
 
 use crate::device::Gpu;
-use crate::engine::{Engine, is_by_workgroup};
+use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::method::GpuMethod;
 use crate::outcome::backend;
 use crate::outside::Outside;
 use crate::purpose::{Dispatch, Purpose};
+use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
 use crate::stream::Asked;
 use crate::variant::Variant;
@@ -53,7 +54,7 @@ impl<S: GpuMethod> OnGpu<S> {
         let purpose = self.purpose([model].into_iter());
         let arrays = SheetArrays::new(model);
         let variant = Variant::new(&arrays, purpose.scheme, Some(model.material));
-        if is_by_workgroup(&arrays, &variant, purpose) { Dispatch::Workgroup } else { Dispatch::Passes }
+        Route::new(&arrays, &variant, purpose, self.gpu.is_hardware()).dispatch()
     }
 
     /// What [`Solver::session`] gives, by its own name.
@@ -95,7 +96,7 @@ impl<S: GpuMethod> Solver for OnGpu<S> {
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
-        inventory::of(model, self.method.inventory(model), self.purpose([model].into_iter()))
+        inventory::of(model, self.method.inventory(model), self.purpose([model].into_iter()), self.gpu.is_hardware())
     }
 }
 

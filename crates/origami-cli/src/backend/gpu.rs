@@ -118,6 +118,7 @@ fn on_gpu(gpu: &Gpu, method: &Method, by: By) -> Computer {
         Method::Dynamics(dynamics) => Box::new(gpu.with(dynamics.clone())),
         #[cfg(feature = "newton")]
         Method::Newton(_) => return Computer::processor(method, by),
+        Method::Reflect(_) => return Computer::processor(method, by),
     };
     Computer { solver, adapter: Some(Adapter::from(gpu.adapter())), by, warning: None }
 }

@@ -10,6 +10,7 @@ use crate::place::{Place, SQUARE};
 const KEYS: [&str; 34] = [
     "input",
     "solver",
+    "from",
     "backend",
     "backend_by",
     "adapter",

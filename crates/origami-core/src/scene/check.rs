@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::DVec3;
 
-use super::{Needs, Scene};
+use super::{Needs, NotFlat, Scene};
 use crate::ids::NodeId;
 use crate::model::Model;
 
@@ -71,6 +71,9 @@ pub enum Refusal {
         /// What can be done.
         instead: &'static str,
     },
+    /// The flat-folded state is asked for where there is none.
+    #[error(transparent)]
+    NotFlat(#[from] NotFlat),
     /// A pin that was taken out.
     #[error("pin of node {}: it was taken out; expected one that still holds", .0.0)]
     NotPinned(NodeId),

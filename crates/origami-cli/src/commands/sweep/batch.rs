@@ -1,6 +1,6 @@
 //! So many sheets at once as memory holds.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use origami::export::Template;
@@ -45,7 +45,7 @@ struct Batch<'a> {
     models: &'a [Model],
     /// The place of the first.
     begun: usize,
-    /// So many sheets of all have rows already.
+    /// The sheets before this place have rows already.
     taken: usize,
 }
 
@@ -73,22 +73,22 @@ impl Known {
 }
 
 impl Work<'_> {
-    /// Folds all `count` sheets but the first `taken`, which have rows, in batches; nothing depends on how large these are.
+    /// Folds the sheets of `places` but the first `taken`, which have rows, in batches; nothing depends on how large these are.
     /// `begin` makes the ledger, once there is something to be written; it stays in its place, whatever comes.
     ///
     /// # Errors
     /// From a model that cannot be built, or a file that cannot be written.
     pub(super) fn run(
         &self,
-        count: usize,
+        places: Range<usize>,
         taken: usize,
         begin: impl FnOnce() -> Result<Ledger, Error>,
         place: &mut Option<Ledger>,
     ) -> Result<Known, Error> {
         let size = (NODES_AT_ONCE / self.pattern.vertices.len().max(1)).max(rayon::current_num_threads());
-        let points: Vec<Point> = self.sweep.points().collect();
-        let shares = Shares::new(count);
-        (0..taken).for_each(|i| self.line.show_sheets(shares.advance(i, 1.0)));
+        let points: Vec<Point> = self.sweep.points().skip(places.start).take(places.len()).collect();
+        let shares = Shares::new(places.clone());
+        places.clone().take(taken).for_each(|i| self.line.show_sheets(shares.advance(i, 1.0)));
         let mut known = Known::default();
         let mut begin = Some(begin);
         for (i, points) in points.chunks(size).enumerate() {
@@ -100,8 +100,13 @@ impl Work<'_> {
                 *place = Some(begin()?);
             }
             let Some(ledger) = place.as_mut() else { break };
-            let batch = Batch { points, models: &models, begun: i * size, taken };
+            let begun = places.start + i * size;
+            let batch = Batch { points, models: &models, begun, taken: places.start + taken };
             self.batch(&batch, &shares, &mut known, ledger, watch)?;
+        }
+        if let Some(begin) = begin.take() {
+            // A part without a sheet has tables too.
+            *place = Some(begin()?);
         }
         place.as_mut().map_or(Ok(()), Ledger::flush)?;
         Ok(known)

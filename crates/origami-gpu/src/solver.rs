@@ -15,6 +15,7 @@ use crate::outside::Outside;
 use crate::purpose::{Dispatch, Purpose};
 use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
+use crate::stream::Asked;
 use crate::variant::Variant;
 use crate::{ensemble, inventory};
 
@@ -134,9 +135,18 @@ impl<S: GpuMethod> Session for OnModel<'_, S> {
         {
             self.engine = Engine::new(&self.on.gpu, self.model, &engine.outside().with(scene), self.purpose);
         }
-        let engine = self.engine.as_mut().map_err(|error| backend(error.clone(), start, 0))?;
-        let mut results = self.on.method.method().run(engine, &[instance], &mut |_, progress| observe(progress));
-        results.pop().expect("one result for one instance")
+        let engine = self.engine.as_ref().map_err(|error| backend(error.clone(), start, 0))?;
+        let mut result = None;
+        let asked = Asked {
+            instances: &[&instance],
+            observe: &mut |_, progress| observe(progress),
+            take: &mut |_, came_to| {
+                result = Some(came_to);
+                ControlFlow::Continue(())
+            },
+        };
+        self.on.method.method().run(engine, asked);
+        result.expect("one result for one instance")
     }
 }
 

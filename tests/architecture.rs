@@ -33,7 +33,7 @@ const MAY_USE: [(&str, &[&str]); 18] = [
     ("scene", &["ids", "model"]),
     ("forces", &["ids", "model", "scene"]),
     ("kernel", &["csr", "forces", "ids", "model", "parallel", "scene", "twins"]),
-    ("solve", &["error", "forces", "ids", "kernel", "model", "parallel", "scene", "twins"]),
+    ("solve", &["csr", "error", "flat", "forces", "ids", "kernel", "model", "parallel", "scene", "twins"]),
     ("measure", &["error", "flat", "forces", "ids", "mesh", "model", "pattern", "rigid", "scene", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "scene", "solve"]),
 ];

@@ -76,6 +76,7 @@ mod run;
 mod shader_checks;
 mod sheet_arrays;
 mod simulation;
+mod single;
 mod solver;
 mod steering;
 #[cfg(test)]

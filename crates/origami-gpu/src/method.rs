@@ -4,12 +4,12 @@ use std::ops::ControlFlow;
 
 use origami_core::model::Model;
 use origami_core::scene::Refusal;
-use origami_core::solve::{Dynamics, Failed, Folded, Instance, Progress, Relax, Solver, State};
+use origami_core::solve::{Dynamics, Failed, Folded, Instance, Progress, Relax, Solver, State, TimeStep};
 
 use crate::engine::Engine;
 use crate::purpose::{Dispatch, Purpose};
 use crate::run::Beginning;
-use crate::{dynamics, relax};
+use crate::{dynamics, relax, single};
 
 /// A solver of the core that a GPU can compute: [`Relax`] or [`Dynamics`]. No other type can have this trait.
 pub trait GpuMethod: Solver + sealed::Sealed {}
@@ -80,8 +80,21 @@ impl Method<'_> {
         }
     }
 
+    /// Whether a GPU can compute with the settings.
+    pub(crate) fn check_settings(self) -> Result<(), Refusal> {
+        match self {
+            Self::Relax(method) => single::check("tolerance", method.tolerance),
+            Self::Dynamics(method) => {
+                let fixed = if let TimeStep::Fixed(length) = method.time_step { length } else { 0.0 };
+                single::check("tolerance", method.tolerance)?;
+                single::check("time step", fixed)
+            }
+        }
+    }
+
     /// Whether this can run an instance to its end.
     pub(crate) fn check(self, instance: &Instance<'_>) -> Result<(), Refusal> {
+        self.check_settings()?;
         match self {
             Self::Relax(_) => relax::targets(instance),
             Self::Dynamics(method) => dynamics::targets(method, instance),

@@ -36,6 +36,14 @@ impl Route {
         wanted.unwrap_or(Self::Passes)
     }
 
+    pub(crate) fn dispatch(&self) -> Dispatch {
+        match self {
+            Self::Passes => Dispatch::Passes,
+            Self::Workgroup(_) => Dispatch::Workgroup,
+            Self::Blocks(_) => Dispatch::Blocks,
+        }
+    }
+
     /// Of a sheet that goes this way.
     pub(crate) fn variant(&self, plain: &Variant) -> Variant {
         match self {

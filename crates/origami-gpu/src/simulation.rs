@@ -19,6 +19,7 @@ use crate::outcome::{GPU, backend, checked, distance, diverged, folded, ramp_sha
 use crate::outside::Outside;
 use crate::positions_buffer::PositionsBuffer;
 use crate::purpose::{Dispatch, Purpose};
+use crate::single;
 use crate::solver::OnGpu;
 
 /// A sheet in motion on a GPU. [`Simulation`](origami_core::solve::Simulation) is its interface for programs.
@@ -55,7 +56,8 @@ impl<S: GpuMethod> solve::Method for OnGpu<S> {
     /// By passes over all elements, whatever the dispatch: a workgroup that takes many steps at once cannot take just one.
     fn engine(&self, model: &Arc<Model>, scene: &Scene, start: &State) -> Result<GpuEngine, Failed> {
         let instance = Instance { model, start: start.clone(), scene: scene.clone() };
-        let targets = checked(&instance).map_err(|refusal| Failed::refused(refusal, start))?;
+        let checked = self.method.method().check_settings().and_then(|()| checked(&instance));
+        let targets = checked.map_err(|refusal| Failed::refused(refusal, start))?;
         // Any node may be pinned later.
         let outside = Outside { holds: true, ..Outside::of([scene]) };
         let purpose = Purpose { dispatch: Dispatch::Passes, ..self.purpose([&**model].into_iter()) };
@@ -199,7 +201,11 @@ impl GpuEngine {
     }
 
     fn refused(&self, what: &'static str, expected: &'static str) -> Failed {
-        Failed::refused(Refusal::Unsupported { what, backend: GPU, expected }, &self.state)
+        self.refused_for(Refusal::Unsupported { what, backend: GPU, expected })
+    }
+
+    fn refused_for(&self, refusal: Refusal) -> Failed {
+        Failed::refused(refusal, &self.state)
     }
 }
 
@@ -229,10 +235,12 @@ impl solve::Engine for GpuEngine {
     }
 
     fn set_targets(&mut self, targets: Vec<f64>) -> Result<(), Failed> {
+        single::check_targets(&targets).map_err(|refusal| self.refused_for(refusal))?;
         if targets == self.to { Ok(()) } else { self.aim(targets).map_err(|error| self.gave_up(error)) }
     }
 
     fn set_surroundings(&mut self, held: Held, loads: Vec<Load>) -> Result<(), Failed> {
+        single::check_loads(&loads).map_err(|refusal| self.refused_for(refusal))?;
         let loaded = self.engine.outside().loaded;
         if loads.iter().any(|load| !loaded.contains(&load.node)) {
             return Err(
@@ -252,6 +260,7 @@ impl solve::Engine for GpuEngine {
     }
 
     fn place(&mut self, node: NodeId, axes: Axes, position: DVec3) -> Result<(), Failed> {
+        single::check_position(position).map_err(|refusal| self.refused_for(refusal))?;
         let written = self.engine.gpu.scoped(|| self.engine.place(node, axes, position));
         written.map_err(|error| self.gave_up(error))?;
         self.disturb();

@@ -8,10 +8,12 @@ mod info;
 mod list;
 mod look;
 mod material;
+mod merge;
 mod pattern;
 mod picture;
 mod reading;
 mod render;
+mod shard;
 mod study;
 mod sweep;
 mod usage;
@@ -28,12 +30,14 @@ pub(crate) use info::InfoArgs;
 #[cfg(feature = "render")]
 pub(crate) use look::{Ground, check_size};
 pub(crate) use material::MaterialArgs;
+pub(crate) use merge::MergeArgs;
 pub(crate) use pattern::PatternArgs;
 #[cfg(feature = "render")]
 pub(crate) use picture::{CameraName, ColoursName, ShadingName, ThemeName};
 pub(crate) use picture::{MapName, PictureArgs};
 pub(crate) use reading::ReadingArgs;
 pub(crate) use render::{RenderArgs, ViewName};
+pub(crate) use shard::Shard;
 pub(crate) use study::StudyArgs;
 #[cfg(feature = "study")]
 pub(crate) use study::{StudyBackend, StudyName};
@@ -76,6 +80,7 @@ Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.
 pub(crate) enum Command {
     Fold(Box<FoldArgs>),
     Sweep(Box<SweepArgs>),
+    Merge(MergeArgs),
     Convert(ConvertArgs),
     Render(Box<RenderArgs>),
     Study(StudyArgs),

@@ -108,6 +108,7 @@ fn on_gpu(gpu: &Gpu, method: &Method) -> Computer {
         Method::Dynamics(dynamics) => Box::new(gpu.with(dynamics.clone())),
         #[cfg(feature = "newton")]
         Method::Newton(_) => return Computer::processor(method),
+        Method::Reflect(_) => return Computer::processor(method),
     };
     Computer { solver, adapter: Some(Adapter::from(gpu.adapter())), warning: None }
 }

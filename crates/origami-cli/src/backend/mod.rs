@@ -13,7 +13,7 @@ pub(crate) use gpu::{Backend, adapters, may_have_hardware, none};
 use origami::Warning;
 #[cfg(feature = "newton")]
 use origami::solve::Newton;
-use origami::solve::{Dynamics, Relax, Solver};
+use origami::solve::{Dynamics, Reflect, Relax, Solver};
 
 use crate::report::Adapter;
 
@@ -23,6 +23,7 @@ pub(crate) enum Method {
     Dynamics(Dynamics),
     #[cfg(feature = "newton")]
     Newton(Newton),
+    Reflect(Reflect),
 }
 
 impl Method {
@@ -33,6 +34,7 @@ impl Method {
             Self::Dynamics(dynamics) => Box::new(dynamics.clone()),
             #[cfg(feature = "newton")]
             Self::Newton(newton) => Box::new(newton.clone()),
+            Self::Reflect(reflect) => Box::new(reflect.clone()),
         }
     }
 }

@@ -21,6 +21,7 @@ pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
     match cli.command {
         Command::Fold(args) => fold::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Merge(args) => sweep::merge(&args),
         Command::Convert(args) => convert::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Study(args) => study::run(&args),

@@ -29,6 +29,7 @@ fn help_is_as_reviewed() {
     golden("fold-short", &["fold", "-h"]);
     golden("sweep", &["sweep", "--help"]);
     golden("sweep-short", &["sweep", "-h"]);
+    golden("merge", &["merge", "--help"]);
     golden("render", &["render", "--help"]);
     golden("study", &["study", "--help"]);
     golden("info", &["info", "--help"]);
@@ -39,7 +40,7 @@ fn help_is_as_reviewed() {
 
 #[test]
 fn every_command_shows_an_example() {
-    for command in ["fold", "sweep", "render", "study", "info", "pattern", "adapters", "completions", "man"] {
+    for command in ["fold", "sweep", "merge", "render", "study", "info", "pattern", "adapters", "completions", "man"] {
         let output = Command::cargo_bin("origami").unwrap().args([command, "--help"]).output().unwrap();
         let text = String::from_utf8(output.stdout).unwrap();
         assert!(text.contains(&format!("  origami {command}")), "{command}: {text}");
@@ -52,9 +53,19 @@ fn completions_and_manual_page_name_every_command() {
         let output = Command::cargo_bin("origami").unwrap().args(args).output().unwrap();
         assert!(output.status.success(), "{args:?}");
         let text = String::from_utf8(output.stdout).unwrap();
-        for word in
-            ["fold", "sweep", "render", "study", "info", "pattern", "adapters", "completions", "percent", "tolerance"]
-        {
+        for word in [
+            "fold",
+            "sweep",
+            "merge",
+            "render",
+            "study",
+            "info",
+            "pattern",
+            "adapters",
+            "completions",
+            "percent",
+            "tolerance",
+        ] {
             assert!(text.contains(word), "{args:?} does not name {word}");
         }
     }

@@ -1,83 +1,49 @@
 //! First pass: the fold angle of every crease and the moment of its spring (paper 2.3).
 
 use super::angle::{angle_of, unwrapped};
-use super::isa::{Compute, Pass};
+use super::blocks::{CREASES, NODES};
 use super::lane::{GatherScatter, Num, Vec3};
-use super::real::{Quad64, Real};
-use super::share::Cut;
+use super::real::Quad64;
 use crate::model::DEGENERATE;
 
-/// Writes angles and moments; the result is the most by which a crease turned, in radians.
-pub(super) struct FoldAngles<'a, R: Real> {
-    pub(super) positions: &'a [Quad64],
-    /// By chunk of creases: apexes one and two, ends one and two.
-    pub(super) hinges: &'a [u32],
-    pub(super) stiffness: &'a [R],
-    pub(super) targets: &'a [R],
-    pub(super) angles: &'a mut [R],
-    pub(super) moments: &'a mut [R],
-}
-
-impl<R: Real> Pass<R> for FoldAngles<'_, R> {
-    type Output = f64;
-
-    #[inline(always)]
-    fn run<L: GatherScatter<Real = R>>(self, lane: L) -> f64 {
-        let mut most = Num::splat(lane, 0.0);
-        let springs = self.stiffness.chunks_exact(L::WIDTH).zip(self.targets.chunks_exact(L::WIDTH));
-        let states = self.angles.chunks_exact_mut(L::WIDTH).zip(self.moments.chunks_exact_mut(L::WIDTH));
-        let hinges = self.hinges.chunks_exact(4 * L::WIDTH);
-        for ((nodes, (stiffness, target)), (angles, moments)) in hinges.zip(springs).zip(states) {
-            let previous = Num::load(lane, angles);
-            let (stiffness, target) = (Num::load(lane, stiffness), Num::load(lane, target));
-            let (angle, moment) = angle_and_moment(lane, self.positions, nodes, previous, target, stiffness);
-            most = most.max((angle - previous).abs());
-            angle.store(angles);
-            moment.store(moments);
-        }
-        let mut each = [R::default(); 16];
-        most.store(&mut each);
-        each.iter().map(|turn| turn.to_f64()).fold(0.0, f64::max)
-    }
-}
-
-impl<R: Compute> Cut<R> for FoldAngles<'_, R> {
-    fn elements(&self) -> usize {
-        self.stiffness.len()
-    }
-
-    fn cut(self, at: usize) -> (Self, Self) {
-        let (hinges, other_hinges) = self.hinges.split_at(4 * at);
-        let (stiffness, other_stiffness) = self.stiffness.split_at(at);
-        let (targets, other_targets) = self.targets.split_at(at);
-        let (angles, other_angles) = self.angles.split_at_mut(at);
-        let (moments, other_moments) = self.moments.split_at_mut(at);
-        let other = Self {
-            positions: self.positions,
-            hinges: other_hinges,
-            stiffness: other_stiffness,
-            targets: other_targets,
-            angles: other_angles,
-            moments: other_moments,
-        };
-        (Self { positions: self.positions, hinges, stiffness, targets, angles, moments }, other)
-    }
-
-    fn both(one: f64, other: f64) -> f64 {
-        one.max(other)
-    }
-}
-
-/// Fold angles and moments of the hinges on `nodes`.
+/// Writes the angles and moments of the creases of a block; the result is the most by which one turned, in radians.
+///
+/// All sines and cosines are found before the first angle: an angle takes long, and there is other work meanwhile.
 #[inline(always)]
-fn angle_and_moment<L: GatherScatter>(
+pub(super) fn fold_angles<L: GatherScatter>(
     lane: L,
-    positions: &[Quad64],
-    nodes: &[u32],
-    previous: Num<L>,
-    target: Num<L>,
-    stiffness: Num<L>,
-) -> (Num<L>, Num<L>) {
+    positions: &[Quad64; NODES],
+    hinges: &[u8],
+    (stiffness, targets): (&[L::Real], &[L::Real]),
+    angles: &mut [L::Real],
+    [sines, moments]: [&mut [L::Real; CREASES]; 2],
+) -> Num<L> {
+    // The cosines are where the moments will be.
+    let places = sines.chunks_exact_mut(L::WIDTH).zip(moments.chunks_exact_mut(L::WIDTH));
+    for (nodes, (sines, cosines)) in hinges.chunks_exact(4 * L::WIDTH).zip(places) {
+        let [sine, cosine] = sine_and_cosine(lane, positions, nodes);
+        sine.store(sines);
+        cosine.store(cosines);
+    }
+    let mut most = Num::splat(lane, 0.0);
+    let springs = stiffness.chunks_exact(L::WIDTH).zip(targets.chunks_exact(L::WIDTH));
+    let places = sines.chunks_exact(L::WIDTH).zip(moments.chunks_exact_mut(L::WIDTH));
+    for (((stiffness, target), angles), (sines, moments)) in springs.zip(angles.chunks_exact_mut(L::WIDTH)).zip(places)
+    {
+        let previous = Num::load(lane, angles);
+        let (stiffness, target) = (Num::load(lane, stiffness), Num::load(lane, target));
+        let (sine, cosine) = (Num::load(lane, sines), Num::load(lane, moments));
+        let (angle, moment) = angle_and_moment([sine, cosine], previous, target, stiffness);
+        most = most.max((angle - previous).abs());
+        angle.store(angles);
+        moment.store(moments);
+    }
+    most
+}
+
+/// Numbers in proportion to the sine and cosine of the fold angle of the hinges on `nodes`; 0 where a hinge is not sound.
+#[inline(always)]
+fn sine_and_cosine<L: GatherScatter>(lane: L, positions: &[Quad64; NODES], nodes: &[u8]) -> [Num<L>; 2] {
     let (apexes, ends) = nodes.split_at(2 * L::WIDTH);
     let ((one, two), (end, other_end)) = (apexes.split_at(L::WIDTH), ends.split_at(L::WIDTH));
     let along = Vec3::new(lane, lane.gather_differences(positions, end, other_end));
@@ -85,11 +51,24 @@ fn angle_and_moment<L: GatherScatter>(
     let to_two = Vec3::new(lane, lane.gather_differences(positions, end, two));
     let (normal_one, normal_two) = (along.cross(to_one), to_two.cross(along));
     let squared = along.dot(along);
-    let limit = Num::splat(lane, DEGENERATE * DEGENERATE);
+    let [zero, limit] = [0.0, DEGENERATE * DEGENERATE].map(|x| Num::splat(lane, x));
     let least = limit * squared;
-    // A crease that is not sound keeps its angle and pulls at nothing until it opens again.
     let sound = limit.less(squared) & least.less(normal_one.dot(normal_one)) & least.less(normal_two.dot(normal_two));
     let (y, x) = (squared.sqrt() * normal_two.dot(to_one), normal_one.dot(normal_two));
-    let angle = sound.select(unwrapped(angle_of(y, x), previous), previous);
-    (angle, sound.select(stiffness * (target - angle), Num::splat(lane, 0.0)))
+    [sound.select(y, zero), sound.select(x, zero)]
+}
+
+/// Fold angles and moments.
+#[inline(always)]
+fn angle_and_moment<L: GatherScatter>(
+    [sine, cosine]: [Num<L>; 2],
+    previous: Num<L>,
+    target: Num<L>,
+    stiffness: Num<L>,
+) -> (Num<L>, Num<L>) {
+    let zero = Num::splat(sine.lane, 0.0);
+    // A crease that is not sound keeps its angle and pulls at nothing until it opens again.
+    let sound = zero.less(sine.abs().max(cosine.abs()));
+    let angle = sound.select(unwrapped(angle_of(sine, cosine), previous), previous);
+    (angle, sound.select(stiffness * (target - angle), zero))
 }

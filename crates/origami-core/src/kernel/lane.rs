@@ -3,6 +3,7 @@
 
 use std::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
+use super::blocks::{CREASES, NODES};
 use super::real::Real;
 
 /// Numbers of one kind side by side, and what an instruction set does with them. Every operation is element by element, so
@@ -55,16 +56,16 @@ pub(crate) trait GatherScatter: Lane {
     fn widen(self, raw: <Self::Node as Lane>::Raw) -> <Self::Position as Lane>::Raw;
 
     /// Differences of nodes' positions, `to - from`: taken in f64, whatever the springs are computed in.
-    fn gather_differences(self, positions: &[<f64 as Real>::Quad], from: &[u32], to: &[u32]) -> [Self::Raw; 3];
+    fn gather_differences(self, positions: &[<f64 as Real>::Quad; NODES], from: &[u8], to: &[u8]) -> [Self::Raw; 3];
     /// Differences of nodes' velocities, `to - from`.
     fn gather_velocity_differences(
         self,
-        vectors: &[<Self::Real as Real>::Quad],
-        from: &[u32],
-        to: &[u32],
+        vectors: &[<Self::Real as Real>::Quad; NODES],
+        from: &[u8],
+        to: &[u8],
     ) -> [Self::Raw; 3];
     /// Numbers of the elements `at`.
-    fn gather(self, values: &[Self::Real], at: &[u32]) -> Self::Raw;
+    fn gather(self, values: &[Self::Real; CREASES], at: &[u16]) -> Self::Raw;
     /// Writes vectors one after the other; the fourth number of each is 0.
     fn scatter(self, vectors: [Self::Raw; 3], to: &mut [<Self::Real as Real>::Quad]);
 }

@@ -26,6 +26,7 @@ pub(super) fn head() -> Head {
         time_step: "paper".to_owned(),
         integrator: "euler",
         folded: Vec::new(),
+        shard: None,
     };
     Head {
         input: "a.fold".to_owned(),

@@ -1,7 +1,8 @@
 //! Four numbers in an array: right everywhere, and as fast as the compiler makes it.
 
+use crate::kernel::blocks::{CREASES, NODES};
 use crate::kernel::lane::{GatherScatter, Lane};
-use crate::kernel::lookup::item;
+use crate::kernel::lookup::{crease, node};
 use crate::kernel::real::{Quad64, Real};
 
 /// Four numbers. `FUSED`: products and sums are rounded once, as the other lanes do it; slow where the processor cannot.
@@ -181,10 +182,10 @@ macro_rules! portable {
             }
 
             #[inline(always)]
-            fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [[$real; 4]; 3] {
+            fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [[$real; 4]; 3] {
                 let mut differences = [[0.0; 4]; 3];
                 for i in 0..4 {
-                    let (from, to) = (item(positions, from[i]).0, item(positions, to[i]).0);
+                    let (from, to) = (node(positions, from[i]).0, node(positions, to[i]).0);
                     for c in 0..3 {
                         differences[c][i] = <$real>::of(to[c] - from[c]);
                     }
@@ -195,13 +196,13 @@ macro_rules! portable {
             #[inline(always)]
             fn gather_velocity_differences(
                 self,
-                vectors: &[<$real as Real>::Quad],
-                from: &[u32],
-                to: &[u32],
+                vectors: &[<$real as Real>::Quad; NODES],
+                from: &[u8],
+                to: &[u8],
             ) -> [[$real; 4]; 3] {
                 let mut differences = [[0.0; 4]; 3];
                 for i in 0..4 {
-                    let (from, to) = (item(vectors, from[i]).0, item(vectors, to[i]).0);
+                    let (from, to) = (node(vectors, from[i]).0, node(vectors, to[i]).0);
                     for c in 0..3 {
                         differences[c][i] = to[c] - from[c];
                     }
@@ -210,8 +211,8 @@ macro_rules! portable {
             }
 
             #[inline(always)]
-            fn gather(self, values: &[$real], at: &[u32]) -> [$real; 4] {
-                [item(values, at[0]), item(values, at[1]), item(values, at[2]), item(values, at[3])]
+            fn gather(self, values: &[$real; CREASES], at: &[u16]) -> [$real; 4] {
+                [crease(values, at[0]), crease(values, at[1]), crease(values, at[2]), crease(values, at[3])]
             }
 
             #[inline(always)]

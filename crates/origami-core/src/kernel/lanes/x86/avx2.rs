@@ -9,6 +9,7 @@ use super::rows::{
     first, first_mut, gather_d4, gather_differences_d4, gather_differences_s8, gather_s8,
     gather_velocity_differences_s8, rows_d4, rows_s8,
 };
+use crate::kernel::blocks::{CREASES, NODES};
 use crate::kernel::lane::{GatherScatter, Lane};
 use crate::kernel::real::{Quad32, Quad64};
 
@@ -62,17 +63,17 @@ impl GatherScatter for D4 {
     }
 
     #[inline(always)]
-    fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [__m256d; 3] {
+    fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [__m256d; 3] {
         gather_differences_d4(self.0, positions, first(from), first(to))
     }
 
     #[inline(always)]
-    fn gather_velocity_differences(self, vectors: &[Quad64], from: &[u32], to: &[u32]) -> [__m256d; 3] {
+    fn gather_velocity_differences(self, vectors: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [__m256d; 3] {
         gather_differences_d4(self.0, vectors, first(from), first(to))
     }
 
     #[inline(always)]
-    fn gather(self, values: &[f64], at: &[u32]) -> __m256d {
+    fn gather(self, values: &[f64; CREASES], at: &[u16]) -> __m256d {
         gather_d4(self.0, values, first(at))
     }
 
@@ -89,17 +90,17 @@ impl GatherScatter for S8 {
     }
 
     #[inline(always)]
-    fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [__m256; 3] {
+    fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [__m256; 3] {
         gather_differences_s8(self.0, positions, first(from), first(to))
     }
 
     #[inline(always)]
-    fn gather_velocity_differences(self, vectors: &[Quad32], from: &[u32], to: &[u32]) -> [__m256; 3] {
+    fn gather_velocity_differences(self, vectors: &[Quad32; NODES], from: &[u8], to: &[u8]) -> [__m256; 3] {
         gather_velocity_differences_s8(self.0, vectors, first(from), first(to))
     }
 
     #[inline(always)]
-    fn gather(self, values: &[f32], at: &[u32]) -> __m256 {
+    fn gather(self, values: &[f32; CREASES], at: &[u16]) -> __m256 {
         gather_s8(self.0, values, first(at))
     }
 

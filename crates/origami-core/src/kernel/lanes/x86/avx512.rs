@@ -11,6 +11,7 @@ use super::wide_rows::{
     gather_differences_d8, gather_differences_s16, gather_velocity_differences_s16, join_d8, join_s16, rows_d8,
     rows_s16,
 };
+use crate::kernel::blocks::{CREASES, NODES};
 use crate::kernel::lane::{GatherScatter, Lane};
 use crate::kernel::real::{Quad32, Quad64};
 
@@ -62,17 +63,17 @@ impl GatherScatter for D8 {
     }
 
     #[inline(always)]
-    fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [__m512d; 3] {
+    fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [__m512d; 3] {
         gather_differences_d8(self.0, positions, first(from), first(to))
     }
 
     #[inline(always)]
-    fn gather_velocity_differences(self, vectors: &[Quad64], from: &[u32], to: &[u32]) -> [__m512d; 3] {
+    fn gather_velocity_differences(self, vectors: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [__m512d; 3] {
         gather_differences_d8(self.0, vectors, first(from), first(to))
     }
 
     #[inline(always)]
-    fn gather(self, values: &[f64], at: &[u32]) -> __m512d {
+    fn gather(self, values: &[f64; CREASES], at: &[u16]) -> __m512d {
         let [low, high] = halves(at);
         join_d8(self.0, gather_d4(*self.0, values, low), gather_d4(*self.0, values, high))
     }
@@ -90,17 +91,17 @@ impl GatherScatter for S16 {
     }
 
     #[inline(always)]
-    fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [__m512; 3] {
+    fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [__m512; 3] {
         gather_differences_s16(self.0, positions, first(from), first(to))
     }
 
     #[inline(always)]
-    fn gather_velocity_differences(self, vectors: &[Quad32], from: &[u32], to: &[u32]) -> [__m512; 3] {
+    fn gather_velocity_differences(self, vectors: &[Quad32; NODES], from: &[u8], to: &[u8]) -> [__m512; 3] {
         gather_velocity_differences_s16(self.0, vectors, first(from), first(to))
     }
 
     #[inline(always)]
-    fn gather(self, values: &[f32], at: &[u32]) -> __m512 {
+    fn gather(self, values: &[f32; CREASES], at: &[u16]) -> __m512 {
         let [low, high] = halves(at);
         join_s16(self.0, gather_s8(*self.0, values, low), gather_s8(*self.0, values, high))
     }

@@ -5,7 +5,8 @@ use std::arch::x86_64::{__m256, __m256d};
 use bytemuck::cast;
 use pulp::x86::V3;
 
-use crate::kernel::lookup::item;
+use crate::kernel::blocks::{CREASES, NODES};
+use crate::kernel::lookup::{crease, node};
 use crate::kernel::real::{Quad32, Quad64};
 
 /// Four rows of four numbers, of which the last is not wanted, to three columns.
@@ -65,13 +66,13 @@ pub(super) fn rows_of_pair(v: V3, pair: __m256, i: usize, to: &mut [Quad32; 8]) 
 
 /// The difference between two nodes.
 #[inline(always)]
-pub(super) fn difference_d4(v: V3, vectors: &[Quad64], from: u32, to: u32) -> __m256d {
-    v.avx._mm256_sub_pd(cast(item(vectors, to).0), cast(item(vectors, from).0))
+pub(super) fn difference_d4(v: V3, vectors: &[Quad64; NODES], from: u8, to: u8) -> __m256d {
+    v.avx._mm256_sub_pd(cast(node(vectors, to).0), cast(node(vectors, from).0))
 }
 
 /// The differences between four pairs of nodes.
 #[inline(always)]
-pub(super) fn gather_differences_d4(v: V3, vectors: &[Quad64], from: &[u32; 4], to: &[u32; 4]) -> [__m256d; 3] {
+pub(super) fn gather_differences_d4(v: V3, vectors: &[Quad64; NODES], from: &[u8; 4], to: &[u8; 4]) -> [__m256d; 3] {
     let (a, b) = (difference_d4(v, vectors, from[0], to[0]), difference_d4(v, vectors, from[1], to[1]));
     let (c, d) = (difference_d4(v, vectors, from[2], to[2]), difference_d4(v, vectors, from[3], to[3]));
     columns_d4(v, [a, b, c, d])
@@ -79,7 +80,7 @@ pub(super) fn gather_differences_d4(v: V3, vectors: &[Quad64], from: &[u32; 4], 
 
 /// The differences between pairs i and i + 4 of nodes, in f32.
 #[inline(always)]
-pub(super) fn two_differences_s8(v: V3, positions: &[Quad64], from: &[u32; 8], to: &[u32; 8], i: usize) -> __m256 {
+pub(super) fn two_differences_s8(v: V3, positions: &[Quad64; NODES], from: &[u8; 8], to: &[u8; 8], i: usize) -> __m256 {
     let low = v.avx._mm256_cvtpd_ps(difference_d4(v, positions, from[i], to[i]));
     let high = v.avx._mm256_cvtpd_ps(difference_d4(v, positions, from[i + 4], to[i + 4]));
     v.avx._mm256_set_m128(high, low)
@@ -87,7 +88,7 @@ pub(super) fn two_differences_s8(v: V3, positions: &[Quad64], from: &[u32; 8], t
 
 /// The differences between eight pairs of nodes, in f32.
 #[inline(always)]
-pub(super) fn gather_differences_s8(v: V3, positions: &[Quad64], from: &[u32; 8], to: &[u32; 8]) -> [__m256; 3] {
+pub(super) fn gather_differences_s8(v: V3, positions: &[Quad64; NODES], from: &[u8; 8], to: &[u8; 8]) -> [__m256; 3] {
     let (a, b) = (two_differences_s8(v, positions, from, to, 0), two_differences_s8(v, positions, from, to, 1));
     let (c, d) = (two_differences_s8(v, positions, from, to, 2), two_differences_s8(v, positions, from, to, 3));
     columns_s8(v, [a, b, c, d])
@@ -95,13 +96,18 @@ pub(super) fn gather_differences_s8(v: V3, positions: &[Quad64], from: &[u32; 8]
 
 /// Vectors i and i + 4.
 #[inline(always)]
-pub(super) fn pair_s8(v: V3, vectors: &[Quad32], nodes: &[u32; 8], i: usize) -> __m256 {
-    v.avx._mm256_set_m128(cast(item(vectors, nodes[i + 4]).0), cast(item(vectors, nodes[i]).0))
+pub(super) fn pair_s8(v: V3, vectors: &[Quad32; NODES], nodes: &[u8; 8], i: usize) -> __m256 {
+    v.avx._mm256_set_m128(cast(node(vectors, nodes[i + 4]).0), cast(node(vectors, nodes[i]).0))
 }
 
 /// The differences between eight pairs of vectors.
 #[inline(always)]
-pub(super) fn gather_velocity_differences_s8(v: V3, vectors: &[Quad32], from: &[u32; 8], to: &[u32; 8]) -> [__m256; 3] {
+pub(super) fn gather_velocity_differences_s8(
+    v: V3,
+    vectors: &[Quad32; NODES],
+    from: &[u8; 8],
+    to: &[u8; 8],
+) -> [__m256; 3] {
     let a = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 0), pair_s8(v, vectors, from, 0));
     let b = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 1), pair_s8(v, vectors, from, 1));
     let c = v.avx._mm256_sub_ps(pair_s8(v, vectors, to, 2), pair_s8(v, vectors, from, 2));
@@ -110,16 +116,16 @@ pub(super) fn gather_velocity_differences_s8(v: V3, vectors: &[Quad32], from: &[
 }
 
 #[inline(always)]
-pub(super) fn gather_d4(v: V3, values: &[f64], at: &[u32; 4]) -> __m256d {
+pub(super) fn gather_d4(v: V3, values: &[f64; CREASES], at: &[u16; 4]) -> __m256d {
     let [a, b, c, d] = *at;
-    v.avx._mm256_set_pd(item(values, d), item(values, c), item(values, b), item(values, a))
+    v.avx._mm256_set_pd(crease(values, d), crease(values, c), crease(values, b), crease(values, a))
 }
 
 #[inline(always)]
-pub(super) fn gather_s8(v: V3, values: &[f32], at: &[u32; 8]) -> __m256 {
+pub(super) fn gather_s8(v: V3, values: &[f32; CREASES], at: &[u16; 8]) -> __m256 {
     let [a, b, c, d, e, f, g, h] = *at;
-    let (a, b, c, d) = (item(values, a), item(values, b), item(values, c), item(values, d));
-    let (e, f, g, h) = (item(values, e), item(values, f), item(values, g), item(values, h));
+    let (a, b, c, d) = (crease(values, a), crease(values, b), crease(values, c), crease(values, d));
+    let (e, f, g, h) = (crease(values, e), crease(values, f), crease(values, g), crease(values, h));
     v.avx._mm256_set_ps(h, g, f, e, d, c, b, a)
 }
 

@@ -6,24 +6,25 @@ use std::arch::x86_64::{__m128, __m256, __m256d, __m512, __m512d};
 use bytemuck::cast;
 use pulp::x86::V4;
 
-use crate::kernel::lookup::item;
+use crate::kernel::blocks::NODES;
+use crate::kernel::lookup::node;
 use crate::kernel::real::{Quad32, Quad64};
 
 /// Two rows of four numbers.
 #[inline(always)]
-fn two_d4(v: V4, vectors: &[Quad64], low: u32, high: u32) -> __m512d {
-    join_d8(v, cast(item(vectors, low).0), cast(item(vectors, high).0))
+fn two_d4(v: V4, vectors: &[Quad64; NODES], low: u8, high: u8) -> __m512d {
+    join_d8(v, cast(node(vectors, low).0), cast(node(vectors, high).0))
 }
 
 /// The differences between pairs i and j of nodes.
 #[inline(always)]
-fn two_differences_d4(v: V4, vectors: &[Quad64], from: &[u32], to: &[u32], i: usize, j: usize) -> __m512d {
+fn two_differences_d4(v: V4, vectors: &[Quad64; NODES], from: &[u8], to: &[u8], i: usize, j: usize) -> __m512d {
     v.avx512f._mm512_sub_pd(two_d4(v, vectors, to[i], to[j]), two_d4(v, vectors, from[i], from[j]))
 }
 
 /// The differences between eight pairs of nodes.
 #[inline(always)]
-pub(super) fn gather_differences_d8(v: V4, vectors: &[Quad64], from: &[u32; 8], to: &[u32; 8]) -> [__m512d; 3] {
+pub(super) fn gather_differences_d8(v: V4, vectors: &[Quad64; NODES], from: &[u8; 8], to: &[u8; 8]) -> [__m512d; 3] {
     let rows_02 = two_differences_d4(v, vectors, from, to, 0, 2);
     let rows_13 = two_differences_d4(v, vectors, from, to, 1, 3);
     let rows_46 = two_differences_d4(v, vectors, from, to, 4, 6);
@@ -58,7 +59,7 @@ fn two_rows(v: V4, [x, y, z]: [__m512d; 3], of_xy: [i64; 8], of_z: [i64; 8], to:
 
 /// The differences between pairs i, i + 4, i + 8 and i + 12 of nodes, in f32.
 #[inline(always)]
-fn four_differences_s16(v: V4, positions: &[Quad64], from: &[u32; 16], to: &[u32; 16], i: usize) -> __m512 {
+fn four_differences_s16(v: V4, positions: &[Quad64; NODES], from: &[u8; 16], to: &[u8; 16], i: usize) -> __m512 {
     let low = v.avx512f._mm512_cvtpd_ps(two_differences_d4(v, positions, from, to, i, i + 4));
     let high = v.avx512f._mm512_cvtpd_ps(two_differences_d4(v, positions, from, to, i + 8, i + 12));
     join_s16(v, low, high)
@@ -79,7 +80,12 @@ fn columns_s16(v: V4, [a, b, c, d]: [__m512; 4]) -> [__m512; 3] {
 
 /// The differences between sixteen pairs of nodes, in f32.
 #[inline(always)]
-pub(super) fn gather_differences_s16(v: V4, positions: &[Quad64], from: &[u32; 16], to: &[u32; 16]) -> [__m512; 3] {
+pub(super) fn gather_differences_s16(
+    v: V4,
+    positions: &[Quad64; NODES],
+    from: &[u8; 16],
+    to: &[u8; 16],
+) -> [__m512; 3] {
     let (a, b) = (four_differences_s16(v, positions, from, to, 0), four_differences_s16(v, positions, from, to, 1));
     let (c, d) = (four_differences_s16(v, positions, from, to, 2), four_differences_s16(v, positions, from, to, 3));
     columns_s16(v, [a, b, c, d])
@@ -87,12 +93,12 @@ pub(super) fn gather_differences_s16(v: V4, positions: &[Quad64], from: &[u32; 1
 
 /// Vectors i, i + 4, i + 8 and i + 12.
 #[inline(always)]
-fn four_s4(v: V4, vectors: &[Quad32], nodes: &[u32; 16], i: usize) -> __m512 {
+fn four_s4(v: V4, vectors: &[Quad32; NODES], nodes: &[u8; 16], i: usize) -> __m512 {
     let [a, b, c, d]: [__m128; 4] = [
-        cast(item(vectors, nodes[i]).0),
-        cast(item(vectors, nodes[i + 4]).0),
-        cast(item(vectors, nodes[i + 8]).0),
-        cast(item(vectors, nodes[i + 12]).0),
+        cast(node(vectors, nodes[i]).0),
+        cast(node(vectors, nodes[i + 4]).0),
+        cast(node(vectors, nodes[i + 8]).0),
+        cast(node(vectors, nodes[i + 12]).0),
     ];
     let all = v.avx512f._mm512_insertf32x4::<1>(v.avx512f._mm512_castps128_ps512(a), b);
     v.avx512f._mm512_insertf32x4::<3>(v.avx512f._mm512_insertf32x4::<2>(all, c), d)
@@ -102,9 +108,9 @@ fn four_s4(v: V4, vectors: &[Quad32], nodes: &[u32; 16], i: usize) -> __m512 {
 #[inline(always)]
 pub(super) fn gather_velocity_differences_s16(
     v: V4,
-    vectors: &[Quad32],
-    from: &[u32; 16],
-    to: &[u32; 16],
+    vectors: &[Quad32; NODES],
+    from: &[u8; 16],
+    to: &[u8; 16],
 ) -> [__m512; 3] {
     let a = v.avx512f._mm512_sub_ps(four_s4(v, vectors, to, 0), four_s4(v, vectors, from, 0));
     let b = v.avx512f._mm512_sub_ps(four_s4(v, vectors, to, 1), four_s4(v, vectors, from, 1));

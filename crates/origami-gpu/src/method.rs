@@ -1,15 +1,14 @@
 //! Which of the core's solvers a GPU can compute.
 
-use std::ops::ControlFlow;
-
 use origami_core::model::Model;
 use origami_core::scene::{Refusal, Scene};
-use origami_core::solve::{Dynamics, Failed, Folded, Instance, Progress, Relax, Solver, State};
+use origami_core::solve::{Dynamics, Instance, Relax, Solver, State, TimeStep};
 
 use crate::engine::Engine;
 use crate::purpose::{Dispatch, Purpose};
 use crate::run::Beginning;
-use crate::{dynamics, relax};
+use crate::stream::Asked;
+use crate::{dynamics, relax, single};
 
 /// A solver of the core that a GPU can compute: [`Relax`] or [`Dynamics`]. No other type can have this trait.
 pub trait GpuMethod: Solver + sealed::Sealed {}
@@ -69,7 +68,7 @@ pub enum Method<'a> {
     Dynamics(&'a Dynamics),
 }
 
-impl Method<'_> {
+impl<'r> Method<'r> {
     /// What an engine for `models` has to do.
     pub(crate) fn purpose<'m>(self, dispatch: Dispatch, mut models: impl Iterator<Item = &'m Model>) -> Purpose {
         match self {
@@ -80,8 +79,21 @@ impl Method<'_> {
         }
     }
 
+    /// Whether a GPU can compute with the settings.
+    pub(crate) fn check_settings(self) -> Result<(), Refusal> {
+        match self {
+            Self::Relax(method) => single::check("tolerance", method.tolerance),
+            Self::Dynamics(method) => {
+                let fixed = if let TimeStep::Fixed(length) = method.time_step { length } else { 0.0 };
+                single::check("tolerance", method.tolerance)?;
+                single::check("time step", fixed)
+            }
+        }
+    }
+
     /// Whether this can run an instance to its end.
     pub(crate) fn check(self, instance: &Instance<'_>) -> Result<(), Refusal> {
+        self.check_settings()?;
         match self {
             Self::Relax(_) => relax::targets(instance),
             Self::Dynamics(method) => dynamics::targets(method, instance),
@@ -108,16 +120,11 @@ impl Method<'_> {
         }
     }
 
-    /// Runs instances, no more than the engine was built for, to their ends; results in their order.
-    pub(crate) fn run(
-        self,
-        engine: &mut Engine,
-        instances: &[Instance<'_>],
-        observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
-    ) -> Vec<Result<Folded, Failed>> {
+    /// Runs instances to their ends, as many at once as the engine has room for.
+    pub(crate) fn run(self, engine: &Engine, asked: Asked<'r, '_>) {
         match self {
-            Self::Relax(method) => relax::run(method, engine, instances, observe),
-            Self::Dynamics(method) => dynamics::run(method, engine, instances, observe),
+            Self::Relax(method) => relax::run(method, engine, asked),
+            Self::Dynamics(method) => dynamics::run(method, engine, asked),
         }
     }
 }

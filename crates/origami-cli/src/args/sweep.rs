@@ -10,6 +10,7 @@ use origami::solve::{Relax, Sweep};
 
 use super::hold::hold;
 use super::list::List;
+use super::shard::{Shard, shard};
 use super::values::{at_least_zero, finite, index, positive, share, threads, whole};
 use super::{ReadingArgs, SolverName, SolvingArgs};
 use crate::files::Format;
@@ -24,6 +25,7 @@ Examples:
   origami sweep crane.fold --percent 100:-100:-20 --folded obj -o out   Each as a file too
   origami sweep crane.fold --perturbation 0.003,0.03 --seeds 50 -o out  Where chance leads
   origami sweep crane.fold --percent 0:100:0.01 -o out --resume         On, after Ctrl-C
+  origami sweep crane.fold --percent 0:100:0.01 -o out --shard 2/8      On the second machine of 8
 
 Every combination is folded from the sheet as the file has it. Rows come in this order, the last
 varying fastest: ea, k-fold, k-facet, k-face, zeta, perturbation, seed, percent.
@@ -98,6 +100,13 @@ pub(crate) struct SweepArgs {
     /// are replaced.
     #[arg(long)]
     pub(crate) resume: bool,
+
+    /// Fold only part I of N, for many machines: `2/8`, or `slurm`, `pbs/N`, `kubernetes/N` in a job array
+    ///
+    /// Parts are as equal as can be and may all go to one folder; `origami merge` makes the tables of the whole sweep of
+    /// theirs. In an array of jobs the environment tells I: slurm also tells N, pbs counts from 1, kubernetes from 0.
+    #[arg(long, value_name = "I/N", value_parser = shard)]
+    pub(crate) shard: Option<Shard>,
 
     /// Say nothing but errors
     #[arg(short, long)]
@@ -193,7 +202,7 @@ impl SweepArgs {
     fn default_perturbation(&self) -> f64 {
         match self.solving.solver {
             SolverName::Relax | SolverName::Newton => Relax::default().perturbation,
-            SolverName::Dynamics => 0.0,
+            SolverName::Dynamics | SolverName::Reflect => 0.0,
         }
     }
 

@@ -22,8 +22,8 @@ impl<R: Compute> Kernel<R> {
 
     /// Writes the fold angles, in radians; `angles` has one for each crease.
     pub(crate) fn read_angles(&self, angles: &mut [f64]) {
-        for (angle, own) in angles.iter_mut().zip(&self.angles) {
-            *angle = own.to_f64();
+        for (angle, place) in angles.iter_mut().zip(&self.layout.place_of_crease) {
+            *angle = self.angles[*place as usize].to_f64();
         }
     }
 
@@ -68,9 +68,7 @@ impl<R: Compute> Kernel<R> {
 
     /// Takes other fold angles.
     pub(crate) fn set_angles(&mut self, angles: &[f64]) {
-        for (own, angle) in self.angles.iter_mut().zip(angles) {
-            *own = R::of(*angle);
-        }
+        self.layout.by_crease(angles.iter().copied(), &mut self.angles);
     }
 
     /// Takes other accelerations of the last step of [`Kernel::verlet`].

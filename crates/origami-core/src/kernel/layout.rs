@@ -1,163 +1,255 @@
-//! A model laid out for the passes: elements side by side, as many as a lane is wide, field after field.
+//! A model laid out for the passes: block after block, elements side by side, as many as a lane is wide, field after field.
 
-use std::iter::{empty, repeat, repeat_n};
+use std::iter::{empty, repeat};
 
 use crate::csr::Csr;
-use crate::forces::damping;
-use crate::ids::{NodeId, SideId};
+use crate::ids::NodeId;
 use crate::model::{Beam, Model, Softening};
 
-use super::lookup::fill;
-use super::real::{Quad64, Real};
+use super::blocks::{Block, Cutter, FILLING, NODES};
+use super::of_triangles::OfTriangles;
+use super::real::Real;
 
 /// Everything about a model that the passes need and that never changes. A list is empty where the model has nothing of its
 /// kind.
 ///
-/// Elements are filled up to whole chunks with ones on nodes of their own, which form a sound hinge and pull at nothing.
+/// The elements of a block are filled up to whole chunks with ones on nodes of their own, which form a sound hinge and pull at
+/// nothing.
 #[derive(Clone, Debug)]
 pub(super) struct Layout<R> {
     pub(super) nodes: usize,
+    /// Where the elements of each block begin, and where those of the last one end.
+    pub(super) blocks: Vec<Starts>,
+    /// The nodes of each block, those first on which its springs act.
+    pub(super) block_nodes: Vec<u32>,
     /// By chunk of creases: apexes one and two, ends one and two.
-    pub(super) hinges: Vec<u32>,
+    pub(super) hinges: Vec<u8>,
     /// By crease.
     pub(super) stiffness: Vec<R>,
     /// By chunk of triangles: the three corners.
-    pub(super) corners: Vec<u32>,
-    /// By chunk of triangles: the creases on the sides 0-1, 1-2 and 2-0.
-    pub(super) creases: Vec<u32>,
+    pub(super) corners: Vec<u8>,
+    /// By chunk of triangles: the block's creases on the sides 0-1, 1-2 and 2-0.
+    pub(super) creases: Vec<u16>,
     /// By chunk of triangles: the rest lengths of the sides, then the stiffness of each one's share of the beam.
     pub(super) beams: Vec<R>,
     /// By chunk of triangles: each side's share of the damping.
     pub(super) damping: Vec<R>,
-    /// By chunk of triangles: cosine and sine of the first angle at rest and of the second.
+    /// By chunk of triangles: the product of the two sides at the first corner at rest, the same at the second, and the
+    /// doubled area; or numbers in their proportion.
     pub(super) angles: Vec<R>,
     /// By chunk of beams outside any triangle: their two ends.
-    pub(super) loose_ends: Vec<u32>,
+    pub(super) loose_ends: Vec<u8>,
     /// By the same chunks: rest length, stiffness, damping.
     pub(super) loose_beams: Vec<R>,
-    /// By node: where the forces on it lie. The last slot of a node on which something acts from outside is for that.
+    /// By node of a block on which its springs act: how many forces of the block act on it.
+    pub(super) counts: Vec<u16>,
+    /// Where they lie among the numbers of all forces of the block: those of triangles in their order, then those of loose
+    /// beams.
+    pub(super) summands: Vec<u16>,
+    /// By node: where the forces on it lie, one for each block. The last slot of a node on which something acts from outside
+    /// is for that.
     pub(super) slots: Csr<u32>,
+    /// By crease of the model: its place among those of the blocks.
+    pub(super) place_of_crease: Vec<u32>,
+    /// Creases that are in a second block: their place there, and the first one.
+    pub(super) copies: Vec<[u32; 2]>,
     pub(super) k_face: f64,
     pub(super) k_area: f64,
+    /// What pulls a crease back to flat from the side that its target is not on, in units of its stiffness.
+    pub(super) wrong_side: f64,
     pub(super) softening: Option<Softening>,
     pub(super) damped: bool,
 }
 
-/// A hinge and its nodes: ends, then apexes.
-const DUMMY: [[f64; 4]; 4] = [[0.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 0.0]];
+/// Where the elements of a block begin. Those of triangles, creases and loose beams begin with a whole chunk.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Starts {
+    pub(super) nodes: usize,
+    pub(super) creases: usize,
+    pub(super) triangles: usize,
+    pub(super) loose: usize,
+    pub(super) sums: usize,
+    pub(super) summands: usize,
+    /// On how many of its nodes its springs act.
+    pub(super) acted_on: usize,
+}
 
 impl<R: Real> Layout<R> {
     /// Lays `model` out with `width` elements side by side. Its damping, if it has any, is laid out where the motion is `damped`.
     pub(super) fn new(model: &Model, width: usize, damped: bool) -> Self {
-        let nodes = model.node_count();
-        // The nodes of the filling come after those of the sheet.
-        let dummy = |i: usize| NodeId::new(nodes + i).0;
-        let no_hinge = [dummy(2), dummy(3), dummy(0), dummy(1)];
-        // At least one place is left over: sides without a crease refer to the first one after the last crease.
-        let creases = if model.creases.is_empty() { 0 } else { (model.creases.len() + 1).next_multiple_of(width) };
-        let hinges = model.creases.iter().map(|crease| crease.nodes.map(|n| n.0));
-        let mut stiffness: Vec<R> = model.creases.iter().map(|crease| R::of(crease.stiffness)).collect();
-        stiffness.resize(creases, R::of(0.0));
-
-        let damped = damped && model.material.zeta > 0.0;
-        let faces = model.mesh.triangles.len().next_multiple_of(width);
-        let corners = model.mesh.triangles.iter().map(|corners| corners.map(|n| n.0));
-        let no_face = [dummy(0), dummy(1), dummy(2)];
-        let no_creases = [SideId::new(model.creases.len()).0; 3];
-        let no_beams = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(R::of);
-        let loose: Vec<Loose> = loose(model).collect();
-        let loose_beams = loose.len().next_multiple_of(width);
-        let ends = loose.iter().map(|(ends, _)| *ends);
-        let beams = loose.iter().map(|(_, beam)| beam.map(R::of));
-        let slots = slots(model, width, &loose, &[]);
         let mut layout = Self {
-            nodes,
-            hinges: chunks(width, creases, hinges, no_hinge),
-            stiffness,
-            corners: chunks(width, faces, corners, no_face),
-            creases: chunks(width, if creases > 0 { faces } else { 0 }, empty(), no_creases),
-            beams: chunks(width, faces, empty(), no_beams),
-            damping: chunks(width, if damped { faces } else { 0 }, empty(), [R::of(0.0); 3]),
-            angles: angles(model, width),
-            loose_ends: chunks(width, loose_beams, ends, [dummy(0), dummy(1)]),
-            loose_beams: chunks(width, loose_beams, beams, [1.0, 0.0, 0.0].map(R::of)),
-            slots,
+            nodes: model.node_count(),
+            blocks: vec![Starts::default()],
+            block_nodes: Vec::new(),
+            hinges: Vec::new(),
+            stiffness: Vec::new(),
+            corners: Vec::new(),
+            creases: Vec::new(),
+            beams: Vec::new(),
+            damping: Vec::new(),
+            angles: Vec::new(),
+            loose_ends: Vec::new(),
+            loose_beams: Vec::new(),
+            counts: Vec::new(),
+            summands: Vec::new(),
+            slots: Csr::from_entries(0, empty()),
+            place_of_crease: vec![u32::MAX; model.creases.len()],
+            copies: Vec::new(),
             k_face: model.material.k_face,
             k_area: model.k_area(),
+            wrong_side: 0.0,
             softening: None,
-            damped,
+            damped: damped && model.material.zeta > 0.0,
         };
-        layout.take_sides(model, width);
+        let springs = OfTriangles::new(model);
+        Cutter::new(model, &springs.sides, &springs.loose_ends(model))
+            .cut(|block| layout.take(model, &springs, width, &block));
+        layout.set_slots(&[]);
         layout
     }
 
-    /// Fills in the beams, creases and damping on the sides of the triangles.
-    fn take_sides(&mut self, model: &Model, width: usize) {
-        let mut crease_of_side = vec![SideId::new(model.creases.len()).0; model.beams.len()];
-        for (c, crease) in model.creases.iter().enumerate() {
-            crease_of_side[crease.side.index()] = SideId::new(c).0;
+    /// Lays one more block out.
+    fn take(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
+        if let Some(own) = self.blocks.last_mut() {
+            own.acted_on = block.acted_on;
         }
-        let beams = model.beams.iter().zip(damping::coefficients(model)).zip(crease_of_side);
-        for (side, ((beam, damping), crease)) in model.mesh.sides.iter().zip(beams) {
-            let triangles = side.triangles.iter().flatten();
-            // Each of two triangles does half of the beam between them.
-            let part = 1.0 / triangles.clone().count() as f64;
-            for triangle in triangles {
-                let t = triangle.index();
-                let corner = corner_of(&model.mesh.triangles[t], side.nodes);
-                self.beams[at(width, t, (corner, 6))] = R::of(beam.rest_length);
-                self.beams[at(width, t, (3 + corner, 6))] = R::of(part * beam.stiffness);
-                if !self.creases.is_empty() {
-                    self.creases[at(width, t, (corner, 3))] = crease;
-                }
-                if !self.damping.is_empty() {
-                    self.damping[at(width, t, (corner, 3))] = R::of(part * damping);
-                }
+        self.block_nodes.extend(&block.nodes);
+        self.take_creases(model, width, block);
+        self.take_triangles(model, springs, width, block);
+        self.take_loose_beams(model, springs, width, block);
+        self.take_sums(width, block);
+        self.blocks.push(Starts {
+            nodes: self.block_nodes.len(),
+            creases: self.stiffness.len(),
+            triangles: self.corners.len() / 3,
+            loose: self.loose_ends.len() / 2,
+            sums: self.counts.len(),
+            summands: self.summands.len(),
+            acted_on: 0,
+        });
+    }
+
+    fn take_creases(&mut self, model: &Model, width: usize, block: &Block) {
+        if model.creases.is_empty() {
+            return;
+        }
+        for (crease, place) in block.creases.iter().zip(self.stiffness.len() as u32..) {
+            match &mut self.place_of_crease[*crease as usize] {
+                none @ &mut u32::MAX => *none = place,
+                first => self.copies.push([place, *first]),
             }
+        }
+        // At least one place is left over: sides without a crease refer to the first one after the last crease.
+        let count = (block.creases.len() + 1).next_multiple_of(width);
+        self.hinges.extend(chunks(width, count, block.hinges.iter().copied(), [2, 3, 0, 1].map(filling)));
+        let stiffness = block.creases.iter().map(|c| R::of(model.creases[*c as usize].stiffness));
+        self.stiffness.extend(stiffness.chain(repeat(R::of(0.0))).take(count));
+    }
+
+    fn take_triangles(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
+        let count = block.triangles.len().next_multiple_of(width);
+        self.corners.extend(chunks(width, count, block.corners.iter().copied(), [0, 1, 2].map(filling)));
+        if !model.creases.is_empty() {
+            let none = block.creases.len() as u16;
+            let on_sides = block.creases_of_sides.iter().map(|sides| sides.map(|crease| crease.unwrap_or(none)));
+            self.creases.extend(chunks(width, count, on_sides, [none; 3]));
+        }
+        let sides = block.triangles.iter().map(|t| springs.sides[*t as usize]);
+        let beams = sides.clone().map(|sides| {
+            let [[a, k_a], [b, k_b], [c, k_c]] = sides.map(|s| springs.beam(model, s).map(R::of));
+            [a, b, c, k_a, k_b, k_c]
+        });
+        self.beams.extend(chunks(width, count, beams, [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(R::of)));
+        if self.damped {
+            let share = |s: u32| R::of(springs.share_of(model, s) * springs.damping[s as usize]);
+            self.damping.extend(chunks(width, count, sides.map(|sides| sides.map(share)), [R::of(0.0); 3]));
+        }
+        if !model.corner_angles.is_empty() {
+            let angles = block.triangles.iter().map(|t| springs.angles[*t as usize].map(R::of));
+            self.angles.extend(chunks(width, count, angles, [0.5, 0.5, 1.0].map(R::of)));
         }
     }
 
-    /// Makes the springs so soft, whatever they were before; they are exactly the model's without softening.
+    fn take_loose_beams(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
+        let count = block.loose.len().next_multiple_of(width);
+        self.loose_ends.extend(chunks(width, count, block.loose_ends.iter().copied(), [0, 1].map(filling)));
+        let beams = block.loose.iter().map(|b| {
+            let side = springs.loose[*b as usize];
+            let [rest, stiffness] = springs.beam(model, side);
+            [rest, stiffness, springs.damping[side as usize]].map(R::of)
+        });
+        self.loose_beams.extend(chunks(width, count, beams, [1.0, 0.0, 0.0].map(R::of)));
+    }
+
+    fn take_sums(&mut self, width: usize, block: &Block) {
+        let of_corners = (0..).zip(&block.corners).flat_map(|(t, corners)| {
+            (0..3).zip(corners).map(move |(i, node)| (usize::from(*node), at(width, t, (i, 3))))
+        });
+        let first_loose = 3 * block.triangles.len().next_multiple_of(width);
+        let of_ends = (0..).zip(&block.loose_ends).flat_map(|(b, ends)| {
+            (0..2).zip(ends).map(move |(i, node)| (usize::from(*node), first_loose + at(width, b, (i, 2))))
+        });
+        // By where the first of its four numbers lies.
+        let summands = of_corners.chain(of_ends).map(|(node, place)| (node, 4 * place as u16));
+        let summands = Csr::from_entries(block.acted_on, summands);
+        self.counts.extend(summands.iter().map(|own| own.len() as u16));
+        self.summands.extend(summands.items());
+    }
+
+    /// Makes the springs so soft, whatever they were before; they are exactly the model's without.
     pub(super) fn soften(&mut self, model: &Model, width: usize, softening: Option<Softening>) {
         self.softening = softening;
+        self.wrong_side = softening.map_or(0.0, |soft| soft.wrong_side);
         self.k_face = softening.map_or(1.0, |soft| soft.corner_angles) * model.material.k_face;
-        let own = |beam: &Beam| softening.map_or(beam.stiffness, |soft| soft.of_beam(model, beam));
-        for (side, beam) in model.mesh.sides.iter().zip(&model.beams) {
-            let triangles = side.triangles.iter().flatten();
-            let stiffness = own(beam) / triangles.clone().count() as f64;
-            for triangle in triangles {
-                let field = 3 + corner_of(&model.mesh.triangles[triangle.index()], side.nodes);
-                self.beams[at(width, triangle.index(), (field, 6))] = R::of(stiffness);
+        let stiffness = |beam: &Beam| softening.map_or(beam.stiffness, |soft| soft.of_beam(model, beam));
+        let springs = OfTriangles::new(model);
+        let own = |side: u32| R::of(springs.share_of(model, side) * stiffness(&model.beams[side as usize]));
+        let mut blocks = self.blocks.iter();
+        Cutter::new(model, &springs.sides, &springs.loose_ends(model)).cut(|block| {
+            let Some(starts) = blocks.next() else { return };
+            for (triangle, place) in block.triangles.iter().zip(starts.triangles..) {
+                for (i, side) in springs.sides[*triangle as usize].into_iter().enumerate() {
+                    self.beams[at(width, place, (3 + i, 6))] = own(side);
+                }
             }
+            for (loose, place) in block.loose.iter().zip(starts.loose..) {
+                self.loose_beams[at(width, place, (1, 3))] = own(springs.loose[*loose as usize]);
+            }
+        });
+    }
+
+    /// Gives each node a slot in each of its blocks, then each of those `outside`, which are in order, one more.
+    pub(super) fn set_slots(&mut self, outside: &[u32]) {
+        let block_nodes = &self.block_nodes;
+        let of_block = |(b, block): (usize, &Starts)| {
+            let own = &block_nodes[block.nodes..][..block.acted_on];
+            own.iter().zip(b * NODES..).map(|(node, slot)| (*node, slot))
+        };
+        let of_blocks = self.blocks.iter().enumerate().flat_map(of_block);
+        let of_outside = outside.iter().copied().zip(self.slot_count()..);
+        let all = of_blocks.chain(of_outside).map(|(node, slot)| (node as usize, NodeId::new(slot).0));
+        self.slots = Csr::from_entries(self.nodes, all);
+    }
+
+    /// Writes a number of each crease of the model to its place in each of its blocks.
+    pub(super) fn by_crease(&self, numbers: impl Iterator<Item = f64>, to: &mut [R]) {
+        for (number, place) in numbers.zip(&self.place_of_crease) {
+            to[*place as usize] = R::of(number);
         }
-        for (b, (beam, _)) in loose_sides(model).enumerate() {
-            self.loose_beams[at(width, b, (1, 3))] = R::of(own(beam));
+        for [copy, first] in &self.copies {
+            to[*copy as usize] = to[*first as usize];
         }
     }
 
-    /// The positions of all nodes, then those of the filling: as many as [`lookup::item`](super::lookup::item) needs.
-    pub(super) fn padded_positions(&self, positions: &[glam::DVec3]) -> Vec<Quad64> {
-        let mut padded: Vec<Quad64> = positions.iter().map(|p| f64::quad_of(*p)).chain(DUMMY.map(Quad64)).collect();
-        fill(&mut padded);
-        padded
-    }
-
-    /// Gives each of these nodes, which are in order, one more slot, beyond those of triangles and loose beams.
-    pub(super) fn add_slots(&mut self, model: &Model, width: usize, outside: &[u32]) {
-        let loose: Vec<Loose> = loose(model).collect();
-        self.slots = slots(model, width, &loose, outside);
-    }
-
-    /// How many vectors triangles and loose beams write.
+    /// How many vectors the blocks have room for.
     pub(super) fn slot_count(&self) -> usize {
-        self.corners.len() + self.loose_ends.len()
+        NODES * (self.blocks.len() - 1)
     }
 }
 
-/// The place among a triangle's corners of the first one on a side.
-fn corner_of(corners: &[NodeId; 3], side: [NodeId; 2]) -> usize {
-    let corner = (0..3).find(|i| side.contains(&corners[*i]) && side.contains(&corners[(i + 1) % 3]));
-    corner.expect("a side of a triangle joins two of its corners")
+/// The place of a node of the filling in its block.
+fn filling(i: usize) -> u8 {
+    (FILLING + i) as u8
 }
 
 /// Where a field, given as one of so many, of element `e` lies: field after field, chunk by chunk.
@@ -179,50 +271,4 @@ fn chunks<T: Copy, const FIELDS: usize>(
         }
     }
     laid_out
-}
-
-/// Cosine and sine of the first angle of each triangle and of the second; none where no triangle has springs there.
-fn angles<R: Real>(model: &Model, width: usize) -> Vec<R> {
-    let faces = if model.corner_angles.is_empty() { 0 } else { model.mesh.triangles.len() };
-    let without = repeat_n([R::of(0.0); 4], faces);
-    let mut angles = chunks(width, faces.next_multiple_of(width), without, [1.0, 0.0, 1.0, 0.0].map(R::of));
-    for own in &model.corner_angles {
-        let [(cos, sin), (next_cos, next_sin)] = own.rest;
-        for (field, value) in [cos, sin, next_cos, next_sin].into_iter().enumerate() {
-            angles[at(width, own.triangle.index(), (field, 4))] = R::of(value);
-        }
-    }
-    angles
-}
-
-/// A beam outside any triangle: its ends; rest length, stiffness and damping.
-type Loose = ([u32; 2], [f64; 3]);
-
-fn loose(model: &Model) -> impl Iterator<Item = Loose> {
-    let damping = damping::coefficients(model);
-    let numbers = move |(beam, side): (&Beam, usize)| [beam.rest_length, beam.stiffness, damping[side]];
-    loose_sides(model).map(move |(beam, side)| (beam.nodes.map(|n| n.0), numbers((beam, side))))
-}
-
-/// Beams outside any triangle, each with the number of its side.
-fn loose_sides(model: &Model) -> impl Iterator<Item = (&Beam, usize)> {
-    let sides = model.mesh.sides.iter().zip(&model.beams).enumerate();
-    sides.filter(|(_, (side, _))| side.triangles == [None; 2]).map(|(s, (_, beam))| (beam, s))
-}
-
-/// For each node the slots of its forces: those of triangles in their order, then those of loose beams, then one for each of
-/// the nodes in `outside`.
-fn slots(model: &Model, width: usize, loose: &[Loose], outside: &[u32]) -> Csr<u32> {
-    let nodes = model.node_count();
-    let triangles = model.mesh.triangles.iter().enumerate();
-    let first_loose = triangles.len().next_multiple_of(width) * 3;
-    let first_outside = first_loose + loose.len().next_multiple_of(width) * 2;
-    let of_faces = triangles.flat_map(|(t, corners)| (0..3).map(move |i| (corners[i].index(), at(width, t, (i, 3)))));
-    let of_loose = loose
-        .iter()
-        .enumerate()
-        .flat_map(|(b, (ends, _))| (0..2).map(move |i| (ends[i] as usize, first_loose + at(width, b, (i, 2)))));
-    let of_outside = outside.iter().enumerate().map(|(i, node)| (*node as usize, first_outside + i));
-    let all = of_faces.chain(of_loose).chain(of_outside);
-    Csr::from_entries(nodes, all.map(|(n, slot)| (n, NodeId::new(slot).0)))
 }

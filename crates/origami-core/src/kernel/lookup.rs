@@ -1,14 +1,26 @@
 //! Lists that elements look up by index, without a branch at each: a processor that has to look at bounds between loads
 //! spends more on that than on forces.
 
-/// Fills `list` up to a power of two.
-pub(super) fn fill<T: Copy + Default>(list: &mut Vec<T>) {
-    list.resize(list.len().next_power_of_two(), T::default());
+use super::blocks::{CREASES, FORCES, NODES};
+use super::real::Real;
+
+/// What belongs to a node of a block: there is room for as many as the index can name.
+#[inline(always)]
+pub(super) fn node<T: Copy>(list: &[T; NODES], i: u8) -> T {
+    list[usize::from(i)]
 }
 
-/// The item at `i` of a list that was filled up. Beyond its end the list begins anew, so that there is nothing to check.
+/// What belongs to a crease of a block. Beyond the end the list begins anew, so that there is nothing to check.
 #[inline(always)]
-pub(super) fn item<T: Copy>(list: &[T], i: u32) -> T {
-    debug_assert!(list.len().is_power_of_two() && (i as usize) < list.len(), "{i} of {}", list.len());
-    list[i as usize & (list.len() - 1)]
+pub(super) fn crease<T: Copy>(list: &[T; CREASES], i: u16) -> T {
+    debug_assert!(usize::from(i) < CREASES, "{i} of {CREASES}");
+    list[usize::from(i) % CREASES]
+}
+
+/// The force at one place of a block's, given by where its first number lies.
+#[inline(always)]
+pub(super) fn force<R: Real>(list: &[R::Quad; FORCES], i: u16) -> R::Quad {
+    let numbers: &[R] = bytemuck::cast_slice(list);
+    let i = usize::from(i) & (4 * FORCES - 4);
+    R::quad([numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]])
 }

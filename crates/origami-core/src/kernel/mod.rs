@@ -1,15 +1,17 @@
-//! The step on the processor as it is run: the springs of [`crate::forces`] in three passes, several elements side by side.
+//! The step on the processor as it is run: the springs of [`crate::forces`], several elements side by side.
 //!
-//! [`fold_angles`] turns positions into fold angles and moments, [`triangle_forces`] turns those into forces on the corners
-//! of triangles; [`integrate`] sums these and moves the nodes, or, in a relaxation, [`reduce_forces`] and [`fire_move`]. The
-//! GPU's shaders have the same passes under the same names. Each pass is written once, over a [`lane::Lane`], and
-//! compiled for each set of instructions. Positions are always f64; the rest is f64 or, where [`Kernel`] is of f32, f32.
+//! [`fold_angles`] turns positions into fold angles and moments, [`triangle_forces`] turns those into forces on the nodes:
+//! [`springs`] does both for one block of the sheet after the other. [`integrate`] sums what the blocks do to a node and moves
+//! it, or, in a relaxation, [`reduce_forces`] and [`fire_move`]. The GPU's shaders have the same passes under the same names.
+//! Each is written once, over a [`lane::Lane`], and compiled for each set of instructions. Positions are always f64; the rest
+//! is f64 or, where [`Kernel`] is of f32, f32.
 //!
 //! Nothing depends on how many elements lie side by side: with products and sums rounded once, results have the same bits.
 
 mod access;
 mod angle;
 mod areas;
+mod blocks;
 mod bounds;
 mod fire_move;
 mod fold_angles;
@@ -21,6 +23,8 @@ mod lanes;
 mod layout;
 mod lookup;
 mod loose_beams;
+mod near;
+mod of_triangles;
 mod outside;
 #[cfg(feature = "parallel")]
 mod parallelism;
@@ -29,7 +33,9 @@ mod parallelism;
 mod parallelism;
 mod real;
 mod reduce_forces;
+mod scratch;
 mod share;
+mod springs;
 mod triangle_forces;
 
 #[cfg(test)]
@@ -45,17 +51,18 @@ use crate::ids::{CreaseId, NodeId};
 use crate::model::{Model, Softening};
 use crate::scene::{Axes, Held, Scene};
 use crate::twins::fire_update::{Decision, Sums};
+use blocks::NODES;
 use fire_move::FireMove;
-use fold_angles::FoldAngles;
 use integrate::{Euler, Verlet};
 use isa::Isa;
 use layout::Layout;
-use loose_beams::LooseBeams;
 use outside::{Apply, Outside};
 use parallelism::Parallelism;
 use real::Real;
 use reduce_forces::{BLOCK, ReduceForces, total_of};
-use triangle_forces::{AtRest, TriangleForces};
+use scratch::Scratch;
+use springs::Springs;
+use triangle_forces::AtRest;
 
 /// A sheet in motion.
 #[derive(Clone, Debug)]
@@ -66,13 +73,14 @@ pub(crate) struct Kernel<R: Compute> {
     layout: Layout<R>,
     positions: Vec<Quad64>,
     velocities: Vec<R::Quad>,
-    /// By crease.
+    /// By crease of each block.
     angles: Vec<R>,
     targets: Vec<R>,
-    moments: Vec<R>,
     outside: Outside<R>,
-    /// The forces of triangles and loose beams on their nodes, then those from outside.
+    /// The forces of springs on the nodes of each block, then those from outside.
     slots: Vec<R::Quad>,
+    /// One for each task.
+    scratch: Vec<Scratch<R>>,
     /// By node: forces of a relaxation, or Verlet's accelerations of the step before; empty until a pass needs them.
     forces: Vec<R::Quad>,
     /// By block of nodes: FIRE's sums of a relaxation.
@@ -104,30 +112,30 @@ impl<R: Compute> Kernel<R> {
         angles: &[f64],
     ) -> Self {
         let mut layout = Layout::new(model, R::width(isa), damped);
-        let at_rest = layout.padded_positions(&model.rest);
-        let Layout { corners, beams, angles: corner_angles, .. } = &mut layout;
-        R::run(isa, AtRest { corners, positions: &at_rest, beams, angles: corner_angles });
-        let positions = layout.padded_positions(positions);
-        let mut velocities: Vec<R::Quad> = velocities.iter().map(|v| R::quad_of(*v)).collect();
-        velocities.resize(positions.len(), R::Quad::default());
+        let mut scratch = Scratch::new();
+        let at_rest: Vec<Quad64> = model.rest.iter().map(|p| f64::quad_of(*p)).collect();
+        let Layout { blocks, block_nodes, corners, beams, angles: corner_angles, .. } = &mut layout;
+        let near = &mut scratch.near;
+        let pass = AtRest { blocks, block_nodes, corners, positions: &at_rest, near, beams, angles: corner_angles };
+        R::run(isa, pass);
         let creases = layout.stiffness.len();
-        let mut angles: Vec<R> = angles.iter().map(|angle| R::of(*angle)).collect();
-        angles.resize(creases, R::default());
         let mut kernel = Self {
             isa,
             parallelism: Parallelism::new(threads),
             bounds,
-            positions,
-            velocities,
-            angles,
+            positions: positions.iter().map(|p| f64::quad_of(*p)).collect(),
+            velocities: velocities.iter().map(|v| R::quad_of(*v)).collect(),
+            angles: vec![R::default(); creases],
             targets: vec![R::default(); creases],
-            moments: vec![R::default(); creases.next_power_of_two()],
             slots: vec![R::Quad::default(); layout.slot_count()],
+            scratch: vec![scratch],
             forces: Vec::new(),
             sums: Vec::new(),
             outside: Outside::none(),
             layout,
         };
+        kernel.velocities.resize(kernel.layout.nodes, R::Quad::default());
+        kernel.set_angles(angles);
         kernel.set_outside(model, &Held::new(model, &Scene::default()), false, std::iter::empty());
         kernel
     }
@@ -151,7 +159,7 @@ impl<R: Compute> Kernel<R> {
         let axes_of = |n: &u32| axes.next_if(|(node, _)| node.0 == *n).map_or(Axes::default(), |(_, axes)| axes);
         let own: Vec<Axes> = nodes.iter().map(axes_of).collect();
         if nodes != self.outside.nodes {
-            self.layout.add_slots(model, R::width(self.isa), &nodes);
+            self.layout.set_slots(&nodes);
             self.slots.resize(self.layout.slot_count() + nodes.len(), R::Quad::default());
             self.outside.loads = vec![R::Quad::default(); nodes.len()];
         }
@@ -186,9 +194,7 @@ impl<R: Compute> Kernel<R> {
 
     /// Sets the target angle of each crease, in radians.
     pub(crate) fn set_targets(&mut self, targets: impl Iterator<Item = f64>) {
-        for (own, target) in self.targets.iter_mut().zip(targets) {
-            *own = R::of(target);
-        }
+        self.layout.by_crease(targets, &mut self.targets);
     }
 
     /// Makes the springs so soft; they are exactly the model's without.
@@ -205,47 +211,37 @@ impl<R: Compute> Kernel<R> {
 
     /// The creases that softening turns back to flat: those folded to the other side than their targets.
     pub(crate) fn wrong_sides(&self) -> Vec<CreaseId> {
-        if self.layout.softening.is_none_or(|soft| soft.wrong_side == 0.0) {
+        if self.layout.wrong_side == 0.0 {
             return Vec::new();
         }
-        let creases = self.angles.iter().zip(&self.targets).enumerate();
-        let wrong = creases.filter(|(_, (angle, target))| angle.to_f64() * target.to_f64() < 0.0);
-        wrong.map(|(crease, _)| CreaseId::new(crease)).collect()
+        let is_wrong = |place: u32| {
+            let [angle, target] = [&self.angles, &self.targets].map(|list| list[place as usize].to_f64());
+            angle * target < 0.0
+        };
+        let creases = self.layout.place_of_crease.iter().enumerate();
+        creases.filter(|(_, place)| is_wrong(**place)).map(|(crease, _)| CreaseId::new(crease)).collect()
     }
 
-    /// First pass: fold angles and moments. The result is the most by which a crease turned since the last, in radians.
-    pub(crate) fn fold_angles(&mut self) -> f64 {
+    /// First passes: fold angles, and forces of all springs, of the damping if `damped`, and from outside. The result is the
+    /// most by which a crease turned since the last time, in radians.
+    pub(crate) fn springs(&mut self, damped: bool) -> f64 {
         self.parallelism.step();
-        if self.layout.stiffness.is_empty() {
-            return 0.0;
+        let tasks = self.parallelism.tasks();
+        if self.scratch.len() < tasks {
+            self.scratch.resize_with(tasks, Scratch::new);
         }
-        let wrong_side = self.layout.softening.map_or(0.0, |soft| soft.wrong_side);
-        let Self { layout: Layout { hinges, stiffness, .. }, positions, targets, angles, moments, .. } = self;
-        share::run::<R, _>(
-            self.isa,
-            FoldAngles { positions, hinges, stiffness, targets, wrong_side, angles, moments },
-            self.parallelism.tasks(),
-        )
-    }
-
-    /// Second pass: forces of all springs, and of the damping if `damped`.
-    pub(crate) fn triangle_forces(&mut self, damped: bool) {
-        let Self { layout, positions, moments, .. } = self;
+        let Self { layout, positions, targets, angles, scratch, .. } = self;
         let velocities = if damped && layout.damped { &self.velocities[..] } else { &[] };
         let (springs, last) = self.slots.split_at_mut(layout.slot_count());
-        let (slots, loose) = springs.split_at_mut(layout.corners.len());
-        share::run::<R, _>(
-            self.isa,
-            TriangleForces { layout, positions, velocities, moments, first: 0, slots },
-            self.parallelism.tasks(),
-        );
-        if !loose.is_empty() {
-            R::run(self.isa, LooseBeams { layout, positions, velocities, slots: loose });
-        }
+        let (slots, _) = springs.as_chunks_mut::<NODES>();
+        let (blocks, scratch) = (&layout.blocks[..], &mut scratch[..tasks]);
+        let pass = Springs { layout, blocks, positions, velocities, targets, angles, slots, scratch };
+        let turned = share::run::<R, _>(self.isa, pass, tasks);
         if !last.is_empty() {
             let (rows, slots) = (layout.slots.starts(), layout.slots.items());
             R::run(self.isa, Apply { outside: &self.outside, rows, slots, springs, last });
         }
+        turned
     }
 
     /// Third pass of dynamics, first order. False where a node may be out of bounds.

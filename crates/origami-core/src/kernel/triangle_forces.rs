@@ -5,56 +5,34 @@
 //! at the other end (paper 2.3 with cotangents written out). The corner angles (2.4) on a side pull along N x side. The
 //! forces of each triangle sum to zero.
 
+use std::ops::Range;
+
 use super::angle::small_angle_of;
 use super::areas;
-use super::isa::{Compute, Pass};
-use super::lane::{GatherScatter, Lane, Num, Vec3};
-use super::layout::Layout;
+use super::blocks::{CREASES, NODES};
+use super::isa::Pass;
+use super::lane::{GatherScatter, Lane, Mask, Num, Vec3};
+use super::layout::{Layout, Starts};
+use super::near::Near;
 use super::real::{Quad64, Real};
-use super::share::Cut;
+use super::scratch::take_positions;
 
-/// Writes the forces on the three corners of each triangle.
-pub(super) struct TriangleForces<'a, R: Real> {
-    pub(super) layout: &'a Layout<R>,
-    pub(super) positions: &'a [Quad64],
-    /// Empty: no damping.
-    pub(super) velocities: &'a [R::Quad],
-    pub(super) moments: &'a [R],
-    /// The first triangle of this pass.
-    pub(super) first: usize,
-    /// The slots of these triangles alone.
-    pub(super) slots: &'a mut [R::Quad],
-}
-
-impl<R: Real> Pass<R> for TriangleForces<'_, R> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: GatherScatter<Real = R>>(self, lane: L) {
-        let Self { layout, positions, velocities, moments, first, slots } = self;
-        let corners = layout.corners[3 * first..].chunks_exact(3 * L::WIDTH);
-        let input = Input { layout, positions, velocities, moments };
-        let slots = slots.chunks_exact_mut(3 * L::WIDTH);
-        for (chunk, (corners, slots)) in (first / L::WIDTH..).zip(corners.zip(slots)) {
-            let forces = input.forces(lane, chunk, corners);
-            for (i, force) in forces.iter().enumerate() {
-                lane.scatter(force.raw(), &mut slots[i * L::WIDTH..][..L::WIDTH]);
-            }
+/// Writes the forces on the corners of these triangles of a block.
+#[inline(always)]
+pub(super) fn triangle_forces<L: GatherScatter>(
+    lane: L,
+    input: &Input<'_, L::Real>,
+    triangles: Range<usize>,
+    forces: &mut [<L::Real as Real>::Quad],
+) {
+    let corners = input.layout.corners[3 * triangles.start..3 * triangles.end].chunks_exact(3 * L::WIDTH);
+    let forces = forces.chunks_exact_mut(3 * L::WIDTH);
+    for (chunk, (corners, to)) in (triangles.start / L::WIDTH..).zip(corners.zip(forces)) {
+        let forces = input.forces(lane, chunk, corners);
+        for (i, force) in forces.iter().enumerate() {
+            lane.scatter(force.raw(), &mut to[i * L::WIDTH..][..L::WIDTH]);
         }
     }
-}
-
-impl<R: Compute> Cut<R> for TriangleForces<'_, R> {
-    fn elements(&self) -> usize {
-        self.slots.len() / 3
-    }
-
-    fn cut(self, at: usize) -> (Self, Self) {
-        let (slots, others) = self.slots.split_at_mut(3 * at);
-        (Self { slots, ..self }, Self { first: self.first + at, slots: others, ..self })
-    }
-
-    fn both((): (), (): ()) {}
 }
 
 /// The `N` fields of one chunk of a list.
@@ -89,10 +67,17 @@ fn deviation<L: GatherScatter>(cosine: Num<L>, sine: Num<L>, doubled_area: Num<L
 }
 
 #[inline(always)]
-fn thirds<L: Lane>(corners: &[u32]) -> (&[u32], &[u32], &[u32]) {
+fn thirds<L: Lane>(corners: &[u8]) -> [&[u8]; 3] {
     let (a, others) = corners.split_at(L::WIDTH);
     let (b, c) = others.split_at(L::WIDTH);
-    (a, b, c)
+    [a, b, c]
+}
+
+/// Whether two angles differ by a few roundings, each as a number along and one across.
+#[inline(always)]
+fn nearly_same<L: GatherScatter>(nearly: Num<L>, rest: (Num<L>, Num<L>), own: (Num<L>, Num<L>)) -> Mask<L> {
+    let error = (own.1 * rest.0 - own.0 * rest.1).abs();
+    error.less(nearly * own.0.mul_add(rest.0, own.1 * rest.1))
 }
 
 /// Triangles, side by side.
@@ -109,11 +94,9 @@ struct Shape<L: Lane> {
 
 impl<L: GatherScatter> Shape<L> {
     #[inline(always)]
-    fn of(lane: L, positions: &[Quad64], corners: &[u32]) -> Self {
-        let (a, b, c) = thirds::<L>(corners);
-        let ab = Vec3::new(lane, lane.gather_differences(positions, a, b));
-        let bc = Vec3::new(lane, lane.gather_differences(positions, b, c));
-        let ca = Vec3::new(lane, lane.gather_differences(positions, c, a));
+    fn of(lane: L, near: &Near<L::Real>, corners: &[u8]) -> Self {
+        let [ab, bc, ca] = lane.gather_sides(near, thirds::<L>(corners));
+        let (ab, bc, ca) = (Vec3::new(lane, ab), Vec3::new(lane, bc), Vec3::new(lane, ca));
         let squares = [ab.dot(ab), bc.dot(bc), ca.dot(ca)];
         let dots = [-ab.dot(ca), -ab.dot(bc), -bc.dot(ca)];
         let normal = ca.cross(ab);
@@ -121,13 +104,28 @@ impl<L: GatherScatter> Shape<L> {
         let lengths = [squares[0].sqrt(), squares[1].sqrt(), squares[2].sqrt()];
         Self { sides: [ab, bc, ca], squares, lengths, dots, normal, doubled_area }
     }
+
+    /// Puts its own numbers in place of `angles`, where both angles are nearly the same.
+    #[inline(always)]
+    fn replace_angles(&self, nearly: Num<L>, angles: &mut [L::Real]) {
+        let [along_a, along_b, area] = fields(self.doubled_area.lane, angles, 0);
+        let same = nearly_same(nearly, (along_a, area), (self.dots[0], self.doubled_area))
+            & nearly_same(nearly, (along_b, area), (self.dots[1], self.doubled_area));
+        same.select(self.dots[0], along_a).store(angles);
+        same.select(self.dots[1], along_b).store(&mut angles[L::WIDTH..]);
+        same.select(self.doubled_area, area).store(&mut angles[2 * L::WIDTH..]);
+    }
 }
 
 /// Replaces rest lengths and angles by what the second pass computes for the sheet at rest, so that no rounding pulls at it
 /// there. A value that a model has set apart from its positions at rest stays.
 pub(super) struct AtRest<'a, R: Real> {
-    pub(super) corners: &'a [u32],
+    pub(super) blocks: &'a [Starts],
+    pub(super) block_nodes: &'a [u32],
+    pub(super) corners: &'a [u8],
+    /// Of the sheet, by node.
     pub(super) positions: &'a [Quad64],
+    pub(super) near: &'a mut Near<R>,
     pub(super) beams: &'a mut [R],
     pub(super) angles: &'a mut [R],
 }
@@ -138,44 +136,46 @@ impl<R: Real> Pass<R> for AtRest<'_, R> {
     #[inline(always)]
     fn run<L: GatherScatter<Real = R>>(self, lane: L) {
         let nearly = Num::splat(lane, 8.0 * R::EPSILON);
-        let corners = self.corners.chunks_exact(3 * L::WIDTH);
-        let mut angles = self.angles.chunks_exact_mut(4 * L::WIDTH);
-        for (corners, beams) in corners.zip(self.beams.chunks_exact_mut(6 * L::WIDTH)) {
-            let shape = Shape::of(lane, self.positions, corners);
-            for i in 0..3 {
-                let own = &mut beams[i * L::WIDTH..][..L::WIDTH];
-                let (length, rest) = (shape.lengths[i], Num::load(lane, own));
-                (length - rest).abs().less(nearly * rest).select(length, rest).store(own);
-            }
-            let Some(angles) = angles.next() else { continue };
-            for i in 0..2 {
-                let (cosines, sines) = angles[2 * i * L::WIDTH..][..2 * L::WIDTH].split_at_mut(L::WIDTH);
-                let (cosine, sine) = (Num::load(lane, cosines), Num::load(lane, sines));
-                let (along, area) = (shape.dots[i], shape.doubled_area);
-                // The pair is no longer of unit length; only its quotient is used.
-                let error = (area * cosine - along * sine).abs();
-                let same = error.less(nearly * along.mul_add(cosine, area * sine));
-                same.select(along, cosine).store(cosines);
-                same.select(area, sine).store(sines);
+        let mut corners = self.corners.chunks_exact(3 * L::WIDTH);
+        let mut beams = self.beams.chunks_exact_mut(6 * L::WIDTH);
+        let mut angles = self.angles.chunks_exact_mut(3 * L::WIDTH);
+        for own in self.blocks.windows(2) {
+            take_positions(lane, self.near, self.positions, &self.block_nodes[own[0].nodes..own[1].nodes]);
+            let near = &*self.near;
+            // As far as two lengths may differ because positions do.
+            let slack = Num::of(lane, near.unit) * Num::splat(lane, 4.0);
+            let chunks = (own[1].triangles - own[0].triangles) / L::WIDTH;
+            for (corners, beams) in corners.by_ref().zip(beams.by_ref()).take(chunks) {
+                let shape = Shape::of(lane, near, corners);
+                for i in 0..3 {
+                    let own = &mut beams[i * L::WIDTH..][..L::WIDTH];
+                    let (length, rest) = (shape.lengths[i], Num::load(lane, own));
+                    (length - rest).abs().less(nearly.mul_add(rest, slack)).select(length, rest).store(own);
+                }
+                if let Some(angles) = angles.next() {
+                    let shortest = shape.lengths[0].min(shape.lengths[1]).min(shape.lengths[2]);
+                    shape.replace_angles(nearly + slack / shortest, angles);
+                }
             }
         }
     }
 }
 
-/// What the pass reads.
-struct Input<'a, R: Real> {
-    layout: &'a Layout<R>,
-    positions: &'a [Quad64],
-    velocities: &'a [R::Quad],
-    moments: &'a [R],
+/// What the pass reads: the nodes and moments are those of one block.
+pub(super) struct Input<'a, R: Real> {
+    pub(super) layout: &'a Layout<R>,
+    pub(super) near: &'a Near<R>,
+    pub(super) damped: bool,
+    pub(super) velocities: &'a [R::Quad; NODES],
+    pub(super) moments: &'a [R; CREASES],
 }
 
 impl<R: Real> Input<'_, R> {
     #[inline(always)]
-    fn forces<L: GatherScatter<Real = R>>(&self, lane: L, chunk: usize, corners: &[u32]) -> [Vec3<L>; 3] {
-        let (a, b, c) = thirds::<L>(corners);
+    fn forces<L: GatherScatter<Real = R>>(&self, lane: L, chunk: usize, corners: &[u8]) -> [Vec3<L>; 3] {
+        let [a, b, c] = thirds::<L>(corners);
         let Shape { sides: [ab, bc, ca], squares, lengths: [l_ab, l_bc, l_ca], dots, normal, doubled_area } =
-            Shape::of(lane, self.positions, corners);
+            Shape::of(lane, self.near, corners);
         let ([over_ab, over_bc], [over_ca, over_area]) = (inverses(l_ab, l_bc), inverses(l_ca, doubled_area));
 
         // The beams: forces over lengths, k (l - l0) / l.
@@ -186,7 +186,7 @@ impl<R: Real> Input<'_, R> {
         let mut at_a = ca.sub_mul(on_ca, ab * on_ab);
         let mut at_b = ab.sub_mul(on_ab, bc * on_bc);
 
-        if !self.velocities.is_empty() {
+        if self.damped {
             let [c_ab, c_bc, c_ca] = fields(lane, &self.layout.damping, chunk);
             let ab = Vec3::new(lane, lane.gather_velocity_differences(self.velocities, a, b));
             let bc = Vec3::new(lane, lane.gather_velocity_differences(self.velocities, b, c));
@@ -196,9 +196,9 @@ impl<R: Real> Input<'_, R> {
         }
 
         if !self.layout.angles.is_empty() {
-            let [cos_a, sin_a, cos_b, sin_b] = fields(lane, &self.layout.angles, chunk);
-            let one = deviation(cos_a, sin_a, doubled_area, dots[0]);
-            let two = deviation(cos_b, sin_b, doubled_area, dots[1]);
+            let [rest_a, rest_b, rest_area] = fields(lane, &self.layout.angles, chunk);
+            let one = deviation(rest_a, rest_area, doubled_area, dots[0]);
+            let two = deviation(rest_b, rest_area, doubled_area, dots[1]);
             let three = -(one + two);
             let stiff = over_area * Num::splat(lane, self.layout.k_face);
             let on_ab = stiff * (two - one) * (over_ab * over_ab);

@@ -23,8 +23,7 @@ impl BareKernel {
 
     /// One step of `time_step`.
     pub fn step(&mut self, time_step: f64) {
-        self.0.fold_angles();
-        self.0.triangle_forces(true);
+        self.0.springs(true);
         self.0.euler(time_step);
     }
 }

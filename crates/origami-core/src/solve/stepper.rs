@@ -174,8 +174,7 @@ impl<R: Compute> Stepper<R> {
     }
 
     fn relax(&mut self, origin: Origin<'_>, stops: bool) -> Result<bool, Diverged> {
-        self.turned = self.kernel.fold_angles();
-        self.forces(false, false);
+        self.turned = self.forces(false, false);
         self.steps += 1;
         if self.ramp.done() && self.settled() && stops {
             return Ok(true);
@@ -194,7 +193,6 @@ impl<R: Compute> Stepper<R> {
         let dt = clock.step((origin.0, surroundings.forces()), kernel, state, self.steps);
         let (verlet, damped, previous) = (*integrator == Integrator::Verlet, *damped, clock.previous);
         clock.previous = dt;
-        self.kernel.fold_angles();
         // Damping has no part in what tells how far it is to the equilibrium.
         let looks = self.ramp.done() && self.settling.window_ends();
         if looks {
@@ -221,10 +219,11 @@ impl<R: Compute> Stepper<R> {
     }
 
     /// Forces on all nodes: of the springs, of the damping if `damped`, and from outside; forces of one's own are told the
-    /// velocities if the sheet is `moving`, and none where its equilibrium is sought.
-    fn forces(&mut self, damped: bool, moving: bool) {
+    /// velocities if the sheet is `moving`, and none where its equilibrium is sought. The result is the most by which a crease
+    /// turned, in radians.
+    fn forces(&mut self, damped: bool, moving: bool) -> f64 {
         self.surroundings.evaluate(&mut self.kernel, moving);
-        self.kernel.triangle_forces(damped);
+        self.kernel.springs(damped)
     }
 
     /// Takes note of an evaluation without damping; true when the state has settled.

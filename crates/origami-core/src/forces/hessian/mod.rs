@@ -51,7 +51,11 @@ pub fn blocks(
 }
 
 /// Each pair of a spring's nodes once.
-fn add_pairs(nodes: &[usize], add: &mut impl FnMut(usize, usize, DMat3), block: impl Fn(usize, usize) -> DMat3) {
+pub(crate) fn add_pairs(
+    nodes: &[usize],
+    add: &mut impl FnMut(usize, usize, DMat3),
+    block: impl Fn(usize, usize) -> DMat3,
+) {
     for (i, a) in nodes.iter().enumerate() {
         for (j, b) in nodes.iter().enumerate().take(i + 1) {
             add(*a, *b, block(i, j));
@@ -60,7 +64,7 @@ fn add_pairs(nodes: &[usize], add: &mut impl FnMut(usize, usize, DMat3), block: 
 }
 
 /// `a b^T`.
-fn outer(a: DVec3, b: DVec3) -> DMat3 {
+pub(crate) fn outer(a: DVec3, b: DVec3) -> DMat3 {
     DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }
 

@@ -2,7 +2,9 @@
 
 use std::cell::Cell;
 
+use crate::kernel::blocks::{CREASES, NODES};
 use crate::kernel::lane::{GatherScatter, Lane};
+use crate::kernel::near::Near;
 use crate::kernel::real::{Quad64, Real};
 
 /// What was done, number by number.
@@ -132,17 +134,31 @@ impl<L: GatherScatter> GatherScatter for Counting<L> {
         self.0.widen(raw)
     }
 
-    fn gather_differences(self, positions: &[Quad64], from: &[u32], to: &[u32]) -> [L::Raw; 3] {
-        self.note(|counts, width| counts.flops += 3 * width);
-        self.0.gather_differences(positions, from, to)
+    fn place(self, raw: <L::Position as Lane>::Raw) -> <L::Real as Real>::Place {
+        self.0.place(raw)
     }
 
-    fn gather_velocity_differences(self, vectors: &[<L::Real as Real>::Quad], from: &[u32], to: &[u32]) -> [L::Raw; 3] {
+    fn gather_differences(self, near: &Near<L::Real>, from: &[u8], to: &[u8]) -> [L::Raw; 3] {
+        self.note(|counts, width| counts.flops += 3 * width);
+        self.0.gather_differences(near, from, to)
+    }
+
+    fn gather_sides(self, near: &Near<L::Real>, corners: [&[u8]; 3]) -> [[L::Raw; 3]; 3] {
+        self.note(|counts, width| counts.flops += 9 * width);
+        self.0.gather_sides(near, corners)
+    }
+
+    fn gather_velocity_differences(
+        self,
+        vectors: &[<L::Real as Real>::Quad; NODES],
+        from: &[u8],
+        to: &[u8],
+    ) -> [L::Raw; 3] {
         self.note(|counts, width| counts.flops += 3 * width);
         self.0.gather_velocity_differences(vectors, from, to)
     }
 
-    fn gather(self, values: &[L::Real], at: &[u32]) -> L::Raw {
+    fn gather(self, values: &[L::Real; CREASES], at: &[u16]) -> L::Raw {
         self.0.gather(values, at)
     }
 

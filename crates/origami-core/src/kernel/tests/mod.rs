@@ -85,8 +85,7 @@ impl Case {
 
     fn fast<R: Compute>(&self, isa: Isa, damped: bool) -> (Vec<DVec3>, Vec<f64>) {
         let mut kernel = self.kernel::<R>(isa);
-        kernel.fold_angles();
-        kernel.triangle_forces(damped);
+        kernel.springs(damped);
         let (forces, mut angles) = (kernel.positions_and_forces().map(|[_, f]| f).collect(), self.angles.clone());
         kernel.read_angles(&mut angles);
         (forces, angles)
@@ -231,14 +230,12 @@ fn a_softened_sheet_has_the_forces_of_a_softer_one() {
         let mut kernel = scene.kernel::<f64>(isa);
         let fresh = scene.fast::<f64>(isa, false).0;
         kernel.soften(&scene.model, Some(softening));
-        kernel.fold_angles();
-        kernel.triangle_forces(false);
+        kernel.springs(false);
         let forces: Vec<DVec3> = kernel.positions_and_forces().map(|[_, f]| f).collect();
         assert!(difference(&plain, &forces) < 1e-10, "{isa:?}: {}", difference(&plain, &forces));
         assert_eq!(kernel.wrong_sides().len(), wrong, "{isa:?}");
         kernel.soften(&scene.model, None);
-        kernel.fold_angles();
-        kernel.triangle_forces(false);
+        kernel.springs(false);
         assert!(kernel.positions_and_forces().map(|[_, f]| f).eq(fresh), "{isa:?}: nothing of it is left");
         assert!(kernel.wrong_sides().is_empty());
     }
@@ -275,8 +272,7 @@ fn plain_steps(scene: &Case, time_step: f64) -> Vec<DVec3> {
 fn steps<R: Compute>(scene: &Case, isa: Isa, time_step: f64) -> Vec<DVec3> {
     let mut kernel = scene.kernel::<R>(isa);
     for _ in 0..100 {
-        kernel.fold_angles();
-        kernel.triangle_forces(true);
+        kernel.springs(true);
         assert!(kernel.euler(time_step), "out of bounds");
     }
     let mut positions = Vec::new();
@@ -316,13 +312,11 @@ fn bits<R: Compute>(scene: &Case, tasks: usize, verlet: bool) -> (Vec<DVec3>, Ve
     let masses = vec![[2.0, 0.5]; scene.positions.len()];
     let (mut positions, mut angles, mut reported) = (Vec::new(), scene.angles.clone(), Vec::new());
     for _ in 0..3 {
-        reported.push(kernel.fold_angles());
-        kernel.triangle_forces(true);
+        reported.push(kernel.springs(true));
         assert!(if verlet { kernel.verlet(1e-4, 1e-4) } else { kernel.euler(1e-4) }, "out of bounds");
     }
     for _ in 0..3 {
-        kernel.fold_angles();
-        kernel.triangle_forces(false);
+        kernel.springs(false);
         let sums = kernel.reduce_forces(&masses);
         reported.extend([sums.power, sums.speed, sums.pull]);
         assert!(kernel.fire_move(&masses, Decision { step: 1e-4, keep: 0.9, towards_force: 1e-4, back: 1e-5 }));

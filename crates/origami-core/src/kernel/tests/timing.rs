@@ -27,7 +27,7 @@ fn time<R: Compute>(scene: &Case, repeat: usize) {
             continue;
         }
         let mut kernel = scene.kernel::<R>(isa);
-        let mut each = [f64::INFINITY; 4];
+        let mut each = [f64::INFINITY; 3];
         for _ in 0..60 {
             let mut of = |pass_index: usize, pass: &mut dyn FnMut(&mut Kernel<R>)| {
                 let start = Instant::now();
@@ -37,27 +37,24 @@ fn time<R: Compute>(scene: &Case, repeat: usize) {
                 each[pass_index] = each[pass_index].min(start.elapsed().as_secs_f64() * 1e9 / (nodes * repeat) as f64);
             };
             of(0, &mut |k| {
-                k.fold_angles();
+                k.springs(true);
             });
-            of(1, &mut |k| k.triangle_forces(true));
-            of(2, &mut |k| {
+            of(1, &mut |k| {
                 k.euler(0.0);
             });
-            of(3, &mut |k| {
-                k.fold_angles();
-                k.triangle_forces(true);
+            of(2, &mut |k| {
+                k.springs(true);
                 k.euler(1e-9);
             });
         }
         let name = format!("{isa:?}");
         let line = format!(
-            "{nodes:>7} {} {:>9} fold_angles {:5.1} triangle_forces {:5.1} integrate {:5.1} all {:5.1}",
+            "{nodes:>7} {} {:>9} springs {:5.1} integrate {:5.1} all {:5.1}",
             size_of::<R>() * 8,
             &name[..name.len().min(8)],
             each[0],
             each[1],
-            each[2],
-            each[3]
+            each[2]
         );
         writeln!(std::io::stderr(), "{line}").expect("standard error");
     }
@@ -90,8 +87,7 @@ fn time_threads<R: Compute>(scene: &Case, what: &str) {
             let (start, mut steps) = (Instant::now(), 0);
             pool.install(|| {
                 while start.elapsed().as_millis() < 600 {
-                    kernel.fold_angles();
-                    kernel.triangle_forces(true);
+                    kernel.springs(true);
                     kernel.euler(1e-9);
                     steps += 1;
                 }

@@ -141,44 +141,44 @@ impl<R: Real> Layout<R> {
         }
         // At least one place is left over: sides without a crease refer to the first one after the last crease.
         let count = (block.creases.len() + 1).next_multiple_of(width);
-        self.hinges.extend(chunks(width, count, block.hinges.iter().copied(), [2, 3, 0, 1].map(filling)));
+        lay(&mut self.hinges, (width, count), block.hinges.iter().copied(), [2, 3, 0, 1].map(filling));
         let stiffness = block.creases.iter().map(|c| R::of(model.creases[*c as usize].stiffness));
         self.stiffness.extend(stiffness.chain(repeat(R::of(0.0))).take(count));
     }
 
     fn take_triangles(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
         let count = block.triangles.len().next_multiple_of(width);
-        self.corners.extend(chunks(width, count, block.corners.iter().copied(), [0, 1, 2].map(filling)));
+        lay(&mut self.corners, (width, count), block.corners.iter().copied(), [0, 1, 2].map(filling));
         if !model.creases.is_empty() {
             let none = block.creases.len() as u16;
             let on_sides = block.creases_of_sides.iter().map(|sides| sides.map(|crease| crease.unwrap_or(none)));
-            self.creases.extend(chunks(width, count, on_sides, [none; 3]));
+            lay(&mut self.creases, (width, count), on_sides, [none; 3]);
         }
         let sides = block.triangles.iter().map(|t| springs.sides[*t as usize]);
         let beams = sides.clone().map(|sides| {
             let [[a, k_a], [b, k_b], [c, k_c]] = sides.map(|s| springs.beam(model, s).map(R::of));
             [a, b, c, k_a, k_b, k_c]
         });
-        self.beams.extend(chunks(width, count, beams, [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(R::of)));
+        lay(&mut self.beams, (width, count), beams, [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(R::of));
         if self.damped {
             let share = |s: u32| R::of(springs.share_of(model, s) * springs.damping[s as usize]);
-            self.damping.extend(chunks(width, count, sides.map(|sides| sides.map(share)), [R::of(0.0); 3]));
+            lay(&mut self.damping, (width, count), sides.map(|sides| sides.map(share)), [R::of(0.0); 3]);
         }
         if !model.corner_angles.is_empty() {
             let angles = block.triangles.iter().map(|t| springs.angles[*t as usize].map(R::of));
-            self.angles.extend(chunks(width, count, angles, [0.5, 0.5, 1.0].map(R::of)));
+            lay(&mut self.angles, (width, count), angles, [0.5, 0.5, 1.0].map(R::of));
         }
     }
 
     fn take_loose_beams(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
         let count = block.loose.len().next_multiple_of(width);
-        self.loose_ends.extend(chunks(width, count, block.loose_ends.iter().copied(), [0, 1].map(filling)));
+        lay(&mut self.loose_ends, (width, count), block.loose_ends.iter().copied(), [0, 1].map(filling));
         let beams = block.loose.iter().map(|b| {
             let side = springs.loose[*b as usize];
             let [rest, stiffness] = springs.beam(model, side);
             [rest, stiffness, springs.damping[side as usize]].map(R::of)
         });
-        self.loose_beams.extend(chunks(width, count, beams, [1.0, 0.0, 0.0].map(R::of)));
+        lay(&mut self.loose_beams, (width, count), beams, [1.0, 0.0, 0.0].map(R::of));
     }
 
     fn take_sums(&mut self, width: usize, block: &Block) {
@@ -257,18 +257,20 @@ fn at(width: usize, e: usize, (field, fields): (usize, usize)) -> usize {
     (e / width * fields + field) * width + e % width
 }
 
-/// `count` elements in this layout: `elements`, then as many copies of `filling` as there is room for.
-fn chunks<T: Copy, const FIELDS: usize>(
-    width: usize,
-    count: usize,
+/// Adds `count` elements in this layout to a list: `elements`, then as many copies of `filling` as there is room for.
+fn lay<T: Copy, const FIELDS: usize>(
+    list: &mut Vec<T>,
+    (width, count): (usize, usize),
     elements: impl Iterator<Item = [T; FIELDS]>,
     filling: [T; FIELDS],
-) -> Vec<T> {
-    let mut laid_out = vec![filling[0]; count * FIELDS];
-    for (e, element) in elements.chain(repeat(filling)).take(count).enumerate() {
-        for (field, value) in element.into_iter().enumerate() {
-            laid_out[at(width, e, (field, FIELDS))] = value;
+) {
+    let (first, mut elements) = (list.len(), elements.chain(repeat(filling)));
+    list.resize(first + count * FIELDS, filling[0]);
+    for chunk in list[first..].chunks_exact_mut(width * FIELDS) {
+        for (side_by_side, element) in elements.by_ref().take(width).enumerate() {
+            for (field, value) in element.into_iter().enumerate() {
+                chunk[field * width + side_by_side] = value;
+            }
         }
     }
-    laid_out
 }

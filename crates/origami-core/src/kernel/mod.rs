@@ -42,7 +42,7 @@ mod triangle_forces;
 mod tests;
 
 pub(crate) use bounds::Bounds;
-pub(crate) use isa::Compute;
+pub(crate) use isa::{Compute, Isa};
 pub(crate) use real::Quad64;
 
 use glam::DVec3;
@@ -54,7 +54,6 @@ use crate::twins::fire_update::{Decision, Sums};
 use blocks::NODES;
 use fire_move::FireMove;
 use integrate::{Euler, Verlet};
-use isa::Isa;
 use layout::Layout;
 use outside::{Apply, Outside};
 use parallelism::Parallelism;
@@ -102,7 +101,8 @@ impl<R: Compute> Kernel<R> {
         Self::with((Isa::best(), threads), model, damped, bounds, positions, velocities, angles)
     }
 
-    fn with(
+    /// The same by the instructions of `isa`.
+    pub(crate) fn with(
         (isa, threads): (Isa, usize),
         model: &Model,
         damped: bool,

@@ -34,7 +34,7 @@ const HELD: f64 = 1e-11;
 
 const STEPS: u64 = 300;
 
-const WAYS: [Dispatch; 3] = [Dispatch::Passes, Dispatch::Workgroup, Dispatch::Blocks];
+const WAYS: &[Dispatch] = Dispatch::WAYS;
 
 fn built(pattern: &CreasePattern, material: Material) -> Model {
     Model::new(pattern, &material).expect("a model")
@@ -273,7 +273,7 @@ fn equilibria_are_those_of_the_processor() {
 #[test]
 fn evaluations_are_those_of_the_processor_at_first() {
     let Some(gpu) = gpu() else { return };
-    for dispatch in WAYS {
+    for dispatch in WAYS.iter().copied() {
         // Past two renewals of the masses, on the ramp and beyond.
         let method = Relax { steps: Some(150), ramp: Some(80), ..Relax::default() };
         let model = sheet("bird base");
@@ -308,7 +308,7 @@ fn a_path_in_one_session_is_the_same_as_stage_by_stage() {
 fn two_runs_give_the_same_bits() {
     let Some(gpu) = gpu() else { return };
     let model = sheet("miura");
-    for dispatch in WAYS {
+    for dispatch in WAYS.iter().copied() {
         let relax = gpu.with(Relax::default()).dispatch(dispatch);
         let dynamics = gpu.with(Dynamics { steps: Some(200), ..Dynamics::default() }).dispatch(dispatch);
         for solver in [&relax as &dyn Solver, &dynamics] {
@@ -350,7 +350,7 @@ fn steps_that_are_too_long_diverge_as_on_the_processor() {
     let Some(gpu) = gpu() else { return };
     let model = sheet("miura");
     for (integrator, step) in [(Integrator::Euler, 0.25), (Integrator::Euler, 5.0), (Integrator::Verlet, 0.3)] {
-        for dispatch in WAYS {
+        for dispatch in WAYS.iter().copied() {
             let method = Dynamics { integrator, time_step: TimeStep::Fixed(step), ..Dynamics::default() };
             let (theirs, ours) = (diverged(&method, &model), diverged(&gpu.with(method).dispatch(dispatch), &model));
             println!("{integrator:?}, {step}: {ours} and {theirs}");
@@ -367,7 +367,7 @@ fn steps_that_are_too_long_diverge_as_on_the_processor() {
 fn a_step_that_is_no_number_is_found_at_once() {
     let Some(gpu) = gpu() else { return };
     let model = sheet("miura");
-    for dispatch in WAYS {
+    for dispatch in WAYS.iter().copied() {
         let method = Dynamics { time_step: TimeStep::Fixed(f64::NAN), ..Dynamics::default() };
         let ours = diverged(&gpu.with(method).dispatch(dispatch), &model);
         assert!(ours.step == 1 && ours.value.is_nan(), "{ours}");
@@ -417,7 +417,7 @@ fn ensembles_are_what_their_sheets_are_alone() {
     let instances = instances(&models);
     let dynamics = Dynamics { steps: Some(100), time_step: TimeStep::Safe, ramp: 40, ..Dynamics::default() };
     let relax = Relax { steps: Some(100), ramp: Some(40), ..Relax::default() };
-    for dispatch in WAYS {
+    for dispatch in WAYS.iter().copied() {
         same_as_alone(&gpu, &dynamics, dispatch, &instances);
         same_as_alone(&gpu, &relax, dispatch, &instances);
     }
@@ -457,7 +457,7 @@ fn one_that_diverges_does_not_disturb_the_others() {
     let instances = instances(&models);
     let step = origami::solve::time_step::paper(&models[0]);
     let method = Dynamics { time_step: TimeStep::Fixed(step), steps: Some(250), ..Dynamics::default() };
-    for dispatch in WAYS {
+    for dispatch in WAYS.iter().copied() {
         let ours = gpu.with(method.clone()).dispatch(dispatch).fold_all(&instances, &|_, _| ControlFlow::Continue(()));
         let theirs = method.fold_all(&instances, &|_, _| ControlFlow::Continue(()));
         for place in [0, 2] {
@@ -477,7 +477,7 @@ fn nothing_at_all_is_no_mistake() {
     let Some(gpu) = gpu() else { return };
     let model = sheet("miura");
     assert!(gpu.with(Relax::default()).fold_all(&[], &|_, _| ControlFlow::Continue(())).is_empty());
-    for dispatch in WAYS {
+    for dispatch in WAYS.iter().copied() {
         let none = gpu.with(Dynamics { steps: Some(0), integrator: Integrator::Verlet, ..Dynamics::default() });
         let folded = folded(&none.dispatch(dispatch), &model, 50.0);
         assert_eq!(folded.steps, 0);

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 34] = [
+const KEYS: [&str; 35] = [
     "input",
     "solver",
     "from",

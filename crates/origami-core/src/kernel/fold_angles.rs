@@ -1,9 +1,9 @@
 //! First pass: the fold angle of every crease and the moment of its spring (paper 2.3).
 
 use super::angle::{angle_of, unwrapped};
-use super::blocks::{CREASES, NODES};
+use super::blocks::CREASES;
 use super::lane::{GatherScatter, Num, Vec3};
-use super::real::Quad64;
+use super::near::Near;
 use crate::model::DEGENERATE;
 
 /// Writes the angles and moments of the creases of a block; the result is the most by which one turned, in radians.
@@ -12,7 +12,7 @@ use crate::model::DEGENERATE;
 #[inline(always)]
 pub(super) fn fold_angles<L: GatherScatter>(
     lane: L,
-    positions: &[Quad64; NODES],
+    near: &Near<L::Real>,
     hinges: &[u8],
     (stiffness, targets): (&[L::Real], &[L::Real]),
     angles: &mut [L::Real],
@@ -21,7 +21,7 @@ pub(super) fn fold_angles<L: GatherScatter>(
     // The cosines are where the moments will be.
     let places = sines.chunks_exact_mut(L::WIDTH).zip(moments.chunks_exact_mut(L::WIDTH));
     for (nodes, (sines, cosines)) in hinges.chunks_exact(4 * L::WIDTH).zip(places) {
-        let [sine, cosine] = sine_and_cosine(lane, positions, nodes);
+        let [sine, cosine] = sine_and_cosine(lane, near, nodes);
         sine.store(sines);
         cosine.store(cosines);
     }
@@ -43,12 +43,12 @@ pub(super) fn fold_angles<L: GatherScatter>(
 
 /// Numbers in proportion to the sine and cosine of the fold angle of the hinges on `nodes`; 0 where a hinge is not sound.
 #[inline(always)]
-fn sine_and_cosine<L: GatherScatter>(lane: L, positions: &[Quad64; NODES], nodes: &[u8]) -> [Num<L>; 2] {
+fn sine_and_cosine<L: GatherScatter>(lane: L, near: &Near<L::Real>, nodes: &[u8]) -> [Num<L>; 2] {
     let (apexes, ends) = nodes.split_at(2 * L::WIDTH);
     let ((one, two), (end, other_end)) = (apexes.split_at(L::WIDTH), ends.split_at(L::WIDTH));
-    let along = Vec3::new(lane, lane.gather_differences(positions, end, other_end));
-    let to_one = Vec3::new(lane, lane.gather_differences(positions, end, one));
-    let to_two = Vec3::new(lane, lane.gather_differences(positions, end, two));
+    let along = Vec3::new(lane, lane.gather_differences(near, end, other_end));
+    let to_one = Vec3::new(lane, lane.gather_differences(near, end, one));
+    let to_two = Vec3::new(lane, lane.gather_differences(near, end, two));
     let (normal_one, normal_two) = (along.cross(to_one), to_two.cross(along));
     let squared = along.dot(along);
     let [zero, limit] = [0.0, DEGENERATE * DEGENERATE].map(|x| Num::splat(lane, x));

@@ -22,6 +22,8 @@ mod lanes;
 mod layout;
 mod lookup;
 mod loose_beams;
+mod near;
+mod of_triangles;
 mod outside;
 #[cfg(feature = "parallel")]
 mod parallelism;
@@ -112,19 +114,9 @@ impl<R: Compute> Kernel<R> {
         let mut scratch = Scratch::new();
         let at_rest: Vec<Quad64> = model.rest.iter().map(|p| f64::quad_of(*p)).collect();
         let Layout { blocks, block_nodes, corners, beams, angles: corner_angles, .. } = &mut layout;
-        let (positions_at_rest, scratch_at_rest) = (&at_rest, &mut scratch);
-        R::run(
-            isa,
-            AtRest {
-                blocks,
-                block_nodes,
-                corners,
-                positions: positions_at_rest,
-                scratch: scratch_at_rest,
-                beams,
-                angles: corner_angles,
-            },
-        );
+        let near = &mut scratch.near;
+        let pass = AtRest { blocks, block_nodes, corners, positions: &at_rest, near, beams, angles: corner_angles };
+        R::run(isa, pass);
         let creases = layout.stiffness.len();
         let mut kernel = Self {
             isa,

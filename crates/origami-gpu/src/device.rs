@@ -257,6 +257,40 @@ mod tests {
         assert!(matches!(Gpu::from_device(device, queue), Err(GpuError::Unfit { .. })));
     }
 
+    /// A device that may use next to nothing of its memory, of an adapter that tells how much it has.
+    fn scarce() -> Option<Gpu> {
+        let name = testing::gpu()?.adapter().name.clone();
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+        descriptor.backends = wgpu::Backends::VULKAN;
+        descriptor.memory_budget_thresholds.for_resource_creation = Some(1);
+        let instance = wgpu::Instance::new(descriptor);
+        let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::VULKAN));
+        let adapter = adapters.into_iter().find(|adapter| adapter.get_info().name == name)?;
+        let limits = wgpu::Limits { max_buffer_size: adapter.limits().max_buffer_size, ..wgpu::Limits::default() };
+        let descriptor = wgpu::DeviceDescriptor { required_limits: limits, ..Default::default() };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).ok()?;
+        Gpu::from_device(device, queue).ok()
+    }
+
+    #[test]
+    fn too_little_memory_is_an_error_and_nothing_panics() {
+        let Some(gpu) = scarce() else { return };
+        let mut made = Vec::new();
+        // None of it is touched. A driver that keeps no account never comes to an end of its memory.
+        let refused = (0..64).find_map(|_| match gpu.scoped(|| buffer(&gpu, 1 << 30, wgpu::BufferUsages::STORAGE)) {
+            Ok(buffer) => {
+                made.push(buffer);
+                None
+            }
+            Err(error) => Some(error),
+        });
+        let Some(refused) = refused else { return };
+        assert!(matches!(refused, GpuError::OutOfMemory(_)), "{refused:?}");
+        assert!(refused.to_string().starts_with("the GPU has too little memory (expected "), "{refused}");
+        drop(made);
+        assert!(gpu.scoped(|| buffer(&gpu, 256, wgpu::BufferUsages::STORAGE)).is_ok(), "it can go on");
+    }
+
     #[test]
     fn what_is_refused_comes_back() {
         let Some(gpu) = fresh() else { return };

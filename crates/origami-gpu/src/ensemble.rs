@@ -85,10 +85,13 @@ pub(crate) fn in_runs(
 }
 
 /// What `make` makes for so many, or for half as many where memory does not suffice, and so on.
-fn fitting<T>(most: usize, make: impl Fn(usize) -> Result<T, GpuError>) -> Result<T, GpuError> {
-    match make(most) {
-        Err(GpuError::OutOfMemory(_)) if most > 1 => fitting(most / 2, make),
-        made => made,
+fn fitting<T>(most: usize, mut make: impl FnMut(usize) -> Result<T, GpuError>) -> Result<T, GpuError> {
+    let mut count = most;
+    loop {
+        match make(count) {
+            Err(GpuError::OutOfMemory(_)) if count > 1 => count /= 2,
+            made => return made,
+        }
     }
 }
 
@@ -174,6 +177,23 @@ mod tests {
             assert_eq!(&folded.state, state, "{:?}", instance.scene.targets);
         }
         assert!(at_once.windows(2).all(|pair| pair[0] != pair[1]), "each has its own");
+    }
+
+    #[test]
+    fn fewer_go_at_once_where_memory_does_not_suffice() {
+        let details = || crate::Details("full".to_owned());
+        let room_for = |room: usize, most: usize| {
+            fitting(most, |count| if count <= room { Ok(count) } else { Err(GpuError::OutOfMemory(details())) })
+        };
+        assert_eq!(room_for(100, 70), Ok(70));
+        assert_eq!(room_for(100, 1000), Ok(62));
+        assert_eq!(room_for(0, 1000), Err(GpuError::OutOfMemory(details())), "not even one");
+        let mut tries = 0;
+        let lost = fitting(64, |_| {
+            tries += 1;
+            Err::<(), _>(GpuError::Lost("gone".to_owned()))
+        });
+        assert_eq!((lost.is_err(), tries), (true, 1), "nothing else is tried again");
     }
 
     #[test]

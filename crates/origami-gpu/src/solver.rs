@@ -16,6 +16,7 @@ use crate::purpose::{Dispatch, Purpose};
 use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
 use crate::stream::Asked;
+use crate::traffic::Traffic;
 use crate::variant::Variant;
 use crate::{ensemble, inventory};
 
@@ -55,6 +56,12 @@ impl<S: GpuMethod> OnGpu<S> {
         let arrays = SheetArrays::new(model);
         let variant = Variant::new(&arrays, purpose.scheme, Some(model.material));
         Route::new(&arrays, &variant, purpose, self.gpu.is_hardware()).dispatch()
+    }
+
+    /// What a step moves and what the buffers take on the way that `model` goes, counted: nothing is asked of the GPU.
+    pub fn traffic(&self, model: &Model) -> Traffic {
+        let purpose = self.purpose([model].into_iter());
+        Traffic::of(model, purpose.scheme, purpose.safe, self.way(model))
     }
 
     /// What [`Solver::session`] gives, by its own name.
@@ -198,6 +205,9 @@ mod tests {
         for way in Dispatch::WAYS {
             assert_eq!(on(*way).way(&plain), *way, "{way}");
         }
+        let bytes = |way| on(way).traffic(&plain).bytes_per_step();
+        assert_eq!(bytes(Dispatch::Passes), Traffic::of_relax(&plain).bytes_per_step());
+        assert_eq!(bytes(Dispatch::Blocks), Traffic::of_relax_in_blocks(&plain).bytes_per_step());
         assert_eq!(on(Dispatch::Workgroup).way(&loose), Dispatch::Passes, "it needs too many buffers");
         assert!(Dispatch::WAYS.contains(&on(Dispatch::Auto).way(&plain)));
         let mut names: Vec<String> = Dispatch::WAYS.iter().map(ToString::to_string).collect();

@@ -92,12 +92,17 @@ impl Stream<'_> {
         self.seats.iter().rposition(Option::is_some).map_or(0, |last| last + 1)
     }
 
+    /// The next step at which a sheet is at its limit; `None` where all are.
+    fn until(&self) -> Option<u64> {
+        self.seats.iter().flatten().map(|seat| seat.until).filter(|until| *until > self.step).min()
+    }
+
     /// Lets sheets begin where there is room. Where time steps are renewed, which happens to all but those at their first
     /// step, they begin together.
     fn take_seats(&mut self, sheets: &mut dyn Sheets<'_>) -> Result<(), GpuError> {
         if self.is_empty() {
             self.step = 0;
-        } else if !self.step.is_multiple_of(REFILL) || self.engine.renews_time_step() {
+        } else if !self.step.is_multiple_of(REFILL) || self.engine.renews_time_step() || self.until().is_none() {
             return Ok(());
         }
         // Neighbours are written together.
@@ -122,8 +127,7 @@ impl Stream<'_> {
 
     /// Takes all sheets a batch farther, or as far as the next limit; whether one of them goes on.
     fn submit(&mut self) -> Result<bool, GpuError> {
-        let Some(until) = self.seats.iter().flatten().map(|seat| seat.until).filter(|until| *until > self.step).min()
-        else {
+        let Some(until) = self.until() else {
             // Who was to take no step at all is not looked at.
             if self.under_way.is_empty() && self.leaving.is_none() {
                 self.leave(|_| Some(None), false, false)?;
@@ -135,10 +139,12 @@ impl Stream<'_> {
         let next = ((self.step / batch + 1) * batch).min(until);
         self.under_way.push_back((next, self.engine.submit(taken, self.step, next)?));
         self.step = next;
-        // Who is at its limit stands still, whatever the others do.
-        let at_limit = self.seats.iter().enumerate().filter(|(_, seat)| seat.is_some_and(|seat| seat.until == next));
-        let at_limit: Vec<usize> = at_limit.map(|(i, _)| i).collect();
-        self.engine.gpu.scoped(|| at_limit.into_iter().for_each(|i| self.engine.stand_still(i)))?;
+        // Who is at its limit stands still while others go on.
+        if self.until().is_some() {
+            let at_limit = |i: &usize| self.seats[*i].is_some_and(|seat| seat.until == next);
+            let at_limit = (0..taken).filter(at_limit);
+            self.engine.gpu.scoped(|| at_limit.for_each(|i| self.engine.stand_still(i)))?;
+        }
         Ok(true)
     }
 
@@ -224,7 +230,7 @@ mod tests {
     use crate::method::Method;
     use crate::plan::CHECK_INTERVAL;
     use crate::testing::gpu;
-    use crate::{Dispatch, Gpu, GpuMethod};
+    use crate::{AdapterChoice, Dispatch, Gpu, GpuMethod};
 
     #[test]
     fn whoever_begins_later_begins_as_at_the_first_step() {
@@ -278,7 +284,7 @@ mod tests {
             let solver = gpu.with(method.clone()).dispatch(*dispatch);
             let fold = |i: &Instance<'_>| format!("{:?}", solver.fold(i.model, &i.start, &i.scene, &mut unwatched));
             let alone: Vec<String> = instances.iter().map(fold).collect();
-            for at_once in [1, 3, instances.len()] {
+            for at_once in [3, instances.len()] {
                 let mut came = streamed(gpu, method, *dispatch, instances, at_once);
                 assert_eq!(came.len(), instances.len(), "each comes once");
                 let early = came.iter().any(|(.., waiting)| *waiting > 0);
@@ -338,6 +344,28 @@ mod tests {
         let safe = Dynamics { time_step: TimeStep::Safe, steps: Some(110), ..Dynamics::default() };
         let told = as_alone(&gpu, &safe, &instances(&models, true));
         assert!(told.iter().all(|told| told.starts_with("Ok")), "a safe step holds");
+    }
+
+    #[test]
+    fn a_lost_device_leaves_what_has_come_and_fails_the_rest() {
+        let Some(gpu) = gpu() else { return };
+        // One of its own: it is going to be lost.
+        let gpu = Gpu::open(&AdapterChoice::Named(gpu.adapter().to_string())).expect("opened before");
+        let models = birds();
+        let (instances, method) = (instances(&models, false), Relax::default());
+        let purpose = Method::Relax(&method).purpose(Dispatch::Passes, models.iter());
+        let came = Mutex::new(Vec::new());
+        let take = |i: usize, result: Result<Folded, Failed>| {
+            came.lock().expect("no panic").push((i, result.is_ok()));
+            gpu.device().destroy();
+            ControlFlow::Continue(())
+        };
+        let observe = |_, _| ControlFlow::Continue(());
+        assert!(in_runs(&gpu, Method::Relax(&method), purpose, (&instances, &observe, &take), |_| 3).is_continue());
+        let mut came = came.into_inner().expect("no panic");
+        assert!(came[0].1 && !came[instances.len() - 1].1, "{came:?}");
+        came.sort_unstable();
+        assert_eq!(came.iter().map(|(i, _)| *i).collect::<Vec<_>>(), (0..instances.len()).collect::<Vec<_>>());
     }
 
     #[test]

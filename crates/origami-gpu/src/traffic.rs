@@ -82,7 +82,7 @@ impl Traffic {
         Self::of(model, scheme, safe, Dispatch::Blocks)
     }
 
-    fn of(model: &Model, scheme: Scheme, safe: bool, dispatch: Dispatch) -> Self {
+    pub(crate) fn of(model: &Model, scheme: Scheme, safe: bool, dispatch: Dispatch) -> Self {
         let arrays = SheetArrays::new(model);
         let plain = Variant::new(&arrays, scheme, Some(model.material));
         let route = Route::new(&arrays, &plain, Purpose { scheme, safe, dispatch }, false);

@@ -39,7 +39,7 @@ const MAY_USE: [(&str, &[&str]); 18] = [
 ];
 
 /// The workspace's crates: where each has its sources, and the file of its root module.
-const CRATES: [(&str, &str); 8] = [
+const CRATES: [(&str, &str); 9] = [
     (CORE, "lib.rs"),
     ("crates/origami-formats/src", "lib.rs"),
     (GPU, "lib.rs"),
@@ -47,6 +47,7 @@ const CRATES: [(&str, &str); 8] = [
     (STUDY, "lib.rs"),
     ("crates/origami-cli/src", "main.rs"),
     (SHADERS, "lib.rs"),
+    ("bindings/python/src", "lib.rs"),
     ("src", "lib.rs"),
 ];
 

@@ -17,8 +17,6 @@ const ALONE: u32 = 0x80000000u;
 const RIGHT: u32 = 0x40000000u;
 const CREASE: u32 = 0x3fffffffu;
 
-@group(0) @binding(4) var<storage, read> faces: array<Face>;
-
 // A side's part of its beam: half, where another face does the other half.
 fn part(side: u32) -> f32 {
     return select(0.5, 1.0, (side & ALONE) != 0u);
@@ -38,10 +36,9 @@ struct Triangle {
 }
 
 fn triangle(instance: u32, f: Face) -> Triangle {
-    let base = instance * NODES;
-    let a = position_of(base + f.nodes[0]);
-    let b = position_of(base + f.nodes[1]);
-    let c = position_of(base + f.nodes[2]);
+    let a = position_at(instance, f.nodes[0]);
+    let b = position_at(instance, f.nodes[1]);
+    let c = position_at(instance, f.nodes[2]);
     let d_ab = difference(a, b);
     let d_bc = difference(b, c);
     let d_ca = difference(c, a);

@@ -14,10 +14,9 @@ fn renews(instance: u32) -> bool {
     return control[instance].step % FIRE_RENEWAL == 0u;
 }
 
-// Stores the force on a node and, now and then, its mass; returns the node's part of power, speed and pull.
-fn reduce_node(instance: u32, n: u32) -> vec4<f32> {
+// Stores the force on a node and, now and then, its mass, both from `sum`; returns the node's part of power, speed and pull.
+fn reduce_node(instance: u32, n: u32, sum: vec4<f32>) -> vec4<f32> {
     let node = instance * NODES + n;
-    let sum = gathered(instance, n);
     if (renews(instance)) {
         nodes[node].mass = sum.w;
     }
@@ -77,5 +76,7 @@ fn move_node(instance: u32, n: u32) {
     let force = nodes[node].force * (control[instance].towards_force / nodes[node].mass);
     let turned = velocity * control[instance].keep + force;
     nodes[node].velocity = turned;
-    advance(instance, n, turned * step + velocity * control[instance].back);
+    let there = moved(instance, n, position_of(node), turned * step + velocity * control[instance].back);
+    nodes[node].high = there.high;
+    nodes[node].low = there.low;
 }

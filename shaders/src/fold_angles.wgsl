@@ -1,25 +1,23 @@
 // First pass: the fold angle of every crease and the moment of its spring (paper 2.3).
 
 fn fold_angle(instance: u32, c: u32) {
-    let i = instance * CREASES + c;
-    let h = hinges[c];
+    let h = hinge_at(c);
     let s = hinge_shape(instance, h);
     if (s.degenerate) {
         // A degenerate crease keeps its angle and pulls at nothing until it opens again.
-        crease_states[i].moment = 0.0;
+        put_moment(instance, c, 0.0);
         return;
     }
-    let previous = crease_states[i].angle;
+    let previous = angle_before(instance, c);
     // As good in thin triangles as in others, since the normals are.
     let y = dot(s.along, cross(s.normal_two, s.normal_one)) / sqrt(s.along_squared);
     let angle = unwrapped(angle_of(y, dot(s.normal_one, s.normal_two)), previous);
     if (RELAXING && abs(angle - previous) > HOLD) {
         atomicMax(&control[instance].too_fast, 1u);
     }
-    let share = ramp_share(instance);
-    let target_now = crease_states[i].start_target * (1.0 - share) + crease_states[i].end_target * share;
-    crease_states[i].angle = angle;
-    crease_states[i].moment = crease_stiffness(instance, h) * (target_now - angle);
+    put_angle(instance, c, angle);
+    let target_now = target_angle(instance, c, ramp_share(instance));
+    put_moment(instance, c, crease_stiffness(instance, h) * (target_now - angle));
 }
 
 @compute @workgroup_size(WORKGROUP)

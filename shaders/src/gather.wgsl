@@ -11,8 +11,7 @@ fn gathered(instance: u32, n: u32) -> vec4<f32> {
         sum += slots[first + s];
     }
     if (FIXED) {
-        let held = (vec3<u32>(nodes[instance * NODES + n].held) & vec3<u32>(1u, 2u, 4u)) != vec3<u32>(0u);
-        return vec4<f32>(select(sum.xyz, vec3<f32>(0.0), held), sum.w);
+        return vec4<f32>(felt(nodes[instance * NODES + n].held, sum.xyz), sum.w);
     }
     return sum;
 }

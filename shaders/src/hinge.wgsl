@@ -13,8 +13,6 @@ struct Hinge {
 const FOLD: u32 = 0u;
 const FACET: u32 = 1u;
 
-@group(0) @binding(3) var<storage, read> hinges: array<Hinge>;
-
 // k = l0 k_fold of mountains and valleys, l0 k_facet of flat creases.
 fn crease_stiffness(instance: u32, h: Hinge) -> f32 {
     if (h.kind == FOLD) {
@@ -41,12 +39,11 @@ struct HingeShape {
 }
 
 fn hinge_shape(instance: u32, h: Hinge) -> HingeShape {
-    let base = instance * NODES;
-    let end = position_of(base + h.end_one);
+    let end = position_at(instance, h.end_one);
     var s: HingeShape;
-    let along = difference(end, position_of(base + h.end_two));
-    let to_one = difference(end, position_of(base + h.apex_one));
-    let to_two = difference(end, position_of(base + h.apex_two));
+    let along = difference(end, position_at(instance, h.end_two));
+    let to_one = difference(end, position_at(instance, h.apex_one));
+    let to_two = difference(end, position_at(instance, h.apex_two));
     s.along = vector(along);
     s.to_one = vector(to_one);
     s.to_two = vector(to_two);

@@ -8,10 +8,10 @@ fn reduce_forces(
 ) {
     var own = vec4<f32>(0.0);
     if (id.x < NODES && control[id.y].stop == RUNNING) {
-        own = reduce_node(id.y, id.x);
+        own = reduce_node(id.y, id.x, gathered(id.y, id.x));
     }
     let sum = workgroup_sum(local, own);
     if (local == 0u) {
-        partials[group.y * GROUPS + group.x] = sum;
+        partials[group.y * SUMS + group.x] = sum;
     }
 }

@@ -25,7 +25,7 @@ fn crease_sums(instance: u32, side: u32) -> vec3<f32> {
     if (crease == CREASE) {
         return vec3<f32>(0.0);
     }
-    let h = hinges[crease];
+    let h = hinge_at(crease);
     let s = hinge_shape(instance, h);
     if (s.degenerate) {
         return vec3<f32>(0.0);
@@ -40,7 +40,7 @@ fn crease_sums(instance: u32, side: u32) -> vec3<f32> {
 }
 
 fn face_sums(instance: u32, f: u32) {
-    let own = faces[f];
+    let own = face_at(f);
     var sums: array<f32, 3>;
     for (var i = 0u; i < 3u; i++) {
         let next = (i + 1u) % 3u;
@@ -68,7 +68,7 @@ fn face_sums(instance: u32, f: u32) {
         }
     }
     for (var i = 0u; i < 3u; i++) {
-        slots[instance * SLOTS + own.slots[i]].w = sums[i];
+        put_row_sum(instance, own.slots[i], sums[i]);
     }
 }
 

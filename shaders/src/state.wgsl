@@ -18,19 +18,7 @@ struct Node {
     unused: f32,
 }
 
-struct CreaseState {
-    angle: f32,
-    moment: f32,
-    // The target angles between which the ramp leads.
-    start_target: f32,
-    end_target: f32,
-}
-
 @group(0) @binding(1) var<storage, read_write> nodes: array<Node>;
-@group(0) @binding(2) var<storage, read_write> crease_states: array<CreaseState>;
-// Force on a node from one of its triangles; the last number is what that triangle adds to the row sum of the node's
-// stiffness.
-@group(0) @binding(5) var<storage, read_write> slots: array<vec4<f32>>;
 
 // A position, or the difference of two, in two parts.
 struct SplitVector {
@@ -73,27 +61,23 @@ fn rest_length(rest_high: i32, rest_low: f32) -> f32 {
     return sqrt(f32(rest_high) * (QUANTUM * QUANTUM) + rest_low);
 }
 
-// How far the target angles have come on the ramp, from 0 to 1.
-fn ramp_share(instance: u32) -> f32 {
-    let length = control[instance].ramp_length;
-    if (length == 0u) {
-        return 1.0;
+// What of a force or a sum of forces a node feels: nothing along the axes that hold it.
+fn felt(held: u32, force: vec3<f32>) -> vec3<f32> {
+    if (FIXED) {
+        return select(force, vec3<f32>(0.0), (vec3<u32>(held) & vec3<u32>(1u, 2u, 4u)) != vec3<u32>(0u));
     }
-    return f32(control[instance].ramp_step) / f32(length);
+    return force;
 }
 
-// Moves a node, and takes note where it leaves all bounds.
-fn advance(instance: u32, n: u32, displacement: vec3<f32>) {
-    let node = instance * NODES + n;
-    let fine = nodes[node].low + displacement;
+// Where node `n` comes to from a position; takes note where it leaves all bounds.
+fn moved(instance: u32, n: u32, from_here: SplitVector, displacement: vec3<f32>) -> SplitVector {
+    let fine = from_here.low + displacement;
     let shift = round(fine * PER_QUANTUM);
-    let high = nodes[node].high + vec3<i32>(shift);
-    let low = fine - shift * QUANTUM;
-    nodes[node].high = high;
-    nodes[node].low = low;
-    let position = vec3<f32>(high) * QUANTUM + low;
+    let there = SplitVector(from_here.high + vec3<i32>(shift), fine - shift * QUANTUM);
+    let position = vector(there);
     let too_far = beyond(dot(position, position), FARTHEST * FARTHEST);
     if (too_far || beyond(dot(displacement, displacement), LONGEST_MOVE * LONGEST_MOVE)) {
         atomicMin(&control[instance].bad_node, n);
     }
+    return there;
 }

@@ -11,7 +11,7 @@ fn moment(instance: u32, side: u32) -> f32 {
     if (crease == CREASE) {
         return 0.0;
     }
-    return crease_states[instance * CREASES + crease].moment;
+    return moment_at(instance, crease);
 }
 
 // Force of a side's beam (2.2) over its length: k (l - l0) / l, with l - l0 = (l^2 - l0^2) / (l + l0).
@@ -23,7 +23,7 @@ fn tension(stiffness: f32, length: f32, rest: f32, excess: f32) -> f32 {
 }
 
 fn forces_of_triangle(instance: u32, f: u32) {
-    let own = faces[f];
+    let own = face_at(f);
     let t = triangle(instance, own);
     let lengths = sqrt(t.squares);
     let doubled_area = sqrt(t.normal_squared);
@@ -37,9 +37,8 @@ fn forces_of_triangle(instance: u32, f: u32) {
         let beam = part(own.sides[i]) * tension(stiffness, lengths[i], rest, t.excess[i]);
         along[i] = t.sides[i] * beam + cross(t.normal, t.sides[i]) * pulls[i];
         if (DAMPED) {
-            let base = instance * NODES;
-            let next = (i + 1u) % 3u;
-            let velocity_difference = nodes[base + own.nodes[next]].velocity - nodes[base + own.nodes[i]].velocity;
+            let end = own.nodes[(i + 1u) % 3u];
+            let velocity_difference = velocity_at(instance, end) - velocity_at(instance, own.nodes[i]);
             // c = 2 zeta sqrt(k) (2.5), masses 1.
             along[i] += velocity_difference * (part(own.sides[i]) * 2.0 * zeta(instance) * sqrt(stiffness));
         }
@@ -60,26 +59,10 @@ fn forces_of_triangle(instance: u32, f: u32) {
         g.x * t.squares.x - g.z * t.dots.x - g.y * t.dots.y,
     );
 
-    let first = instance * SLOTS;
     for (var i = 0u; i < 3u; i++) {
         let before = (i + 2u) % 3u;
-        slots[first + own.slots[i]] = vec4<f32>(along[i] - along[before] + across[i] * t.normal, 0.0);
+        put_force(instance, own.slots[i], along[i] - along[before] + across[i] * t.normal);
     }
-}
-
-// Dynamics: one thread keeps the time between the passes that read it.
-fn advance_clock(instance: u32) {
-    if (atomicLoad(&control[instance].bad_node) != NONE) {
-        control[instance].stop = DIVERGED;
-        return;
-    }
-    control[instance].step += 1u;
-    control[instance].ramp_before = control[instance].ramp_step;
-    control[instance].ramp_step = min(control[instance].ramp_step + 1u, control[instance].ramp_length);
-    control[instance].previous_step = control[instance].time_step;
-    control[instance].time_step = control[instance].next_step;
-    atomicStore(&control[instance].distance_squared_max, 0u);
-    atomicStore(&control[instance].move_squared_max, 0u);
 }
 
 override ADVANCES_CLOCK: bool;

@@ -27,7 +27,8 @@ fn workgroup_dynamics(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_in
         storageBarrier();
         if (control[instance].stop == RUNNING) {
             for (var n = local; n < NODES; n += WORKGROUP) {
-                integrate_node(instance, n);
+                let node = instance * NODES + n;
+                nodes[node] = stepped(instance, n, nodes[node], gathered(instance, n).xyz);
             }
         }
         storageBarrier();

@@ -31,7 +31,7 @@ fn workgroup_relax(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invoc
         storageBarrier();
         var own = vec4<f32>(0.0);
         for (var n = local; n < NODES; n += WORKGROUP) {
-            own += reduce_node(instance, n);
+            own += reduce_node(instance, n, gathered(instance, n));
         }
         let sums = workgroup_sum(local, own);
         if (local == 0u) {

@@ -13,6 +13,9 @@ pub(crate) fn of_fold(args: &FoldArgs, formats: &[Format]) -> Vec<String> {
     let mut oddities = past_the_angles(&[args.percent]);
     oddities.extend(of_picture(&args.picture, &formats.iter().filter_map(|f| Drawn::of(*f)).collect::<Vec<_>>()));
     oddities.extend(without_effect(&args.solving, args.material.zeta.is_some(), args.perturbation.is_some()));
+    let given = [("--from-flat", args.from_flat), ("--max-seconds", args.max_seconds.is_some())];
+    let idle = given.iter().filter(|(_, given)| *given && args.solving.solver == SolverName::Reflect);
+    oddities.extend(idle.map(|(name, _)| format!("{name} has no effect with --solver reflect")));
     let numbered = args.animate.as_ref().is_some_and(|path| Format::of(path) == Ok(Format::Png));
     if args.fps.is_some() && numbered && !formats.contains(&Format::Glb) {
         oddities.push("--fps has no effect on pictures with numbers".to_owned());
@@ -124,7 +127,7 @@ fn past_the_angles(percents: &[f64]) -> Vec<String> {
 }
 
 fn without_effect(solving: &SolvingArgs, zeta: bool, perturbation: bool) -> Vec<String> {
-    use SolverName::{Dynamics, Newton, Relax};
+    use SolverName::{Dynamics, Newton, Reflect, Relax};
     let given = [
         ("--time-step", &[Dynamics][..], solving.time_step.is_some()),
         ("--integrator", &[Dynamics], solving.integrator.is_some()),
@@ -133,16 +136,18 @@ fn without_effect(solving: &SolvingArgs, zeta: bool, perturbation: bool) -> Vec<
         ("--steps", &[Relax, Dynamics], solving.steps.is_some()),
         ("--residual", &[Newton], solving.residual.is_some()),
         ("--precision", &[Relax, Dynamics], solving.precision.is_some()),
+        ("--ramp", &[Relax, Dynamics, Newton], solving.ramp.is_some()),
+        ("--max-steps", &[Relax, Dynamics, Newton], solving.max_steps != DEFAULT_MAX_STEPS),
     ];
     let given = given.iter().filter(|(_, solvers, given)| *given && !solvers.contains(&solving.solver));
     let mut oddities: Vec<String> =
         given.map(|(name, ..)| format!("{name} has no effect with --solver {}", solving.solver.name())).collect();
-    if solving.steps.is_some() && solving.solver != Newton && solving.max_steps != DEFAULT_MAX_STEPS {
+    if solving.steps.is_some() && matches!(solving.solver, Relax | Dynamics) && solving.max_steps != DEFAULT_MAX_STEPS {
         oddities.push("--max-steps has no effect with --steps".to_owned());
     }
     let named = is_named(solving.adapter.as_deref());
-    if named && solving.solver == Newton {
-        oddities.push("--adapter has no effect with --solver newton".to_owned());
+    if named && matches!(solving.solver, Newton | Reflect) {
+        oddities.push(format!("--adapter has no effect with --solver {}", solving.solver.name()));
     } else if named && solving.precision.is_some() {
         oddities.push("--adapter has no effect with --precision".to_owned());
     } else if named && solving.backend == BackendName::Cpu {

@@ -1,10 +1,12 @@
 //! From the command line to what the library wants.
 
+use std::time::Duration;
+
 use origami::measure::attitude::Hold;
 use origami::model::{Material, Model};
 #[cfg(feature = "newton")]
 use origami::solve::Newton;
-use origami::solve::{Dynamics, Integrator, Precision, Relax, TimeStep, frame_percents, time_step};
+use origami::solve::{Dynamics, Failed, Integrator, Precision, Reflect, Relax, Solver, State, TimeStep, time_step};
 use origami::{CreasePattern, Warning, measure};
 
 use crate::args::{BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs};
@@ -16,6 +18,9 @@ use crate::progress::Way;
 
 /// Stages after the flat one in a contact sheet, where nothing is asked for.
 const STAGES: u32 = 4;
+
+/// By how much a sheet that is opened from flat may miss itself there, in radii: the solver mends it.
+const CLOSED: f64 = 1e-3;
 
 /// How every input of a run is folded.
 pub(crate) struct Settings {
@@ -39,6 +44,10 @@ pub(crate) struct Settings {
     pub(crate) hold: Hold,
     /// What the sheet is made of.
     pub(crate) material: Material,
+    /// The percentage of the flat-folded state to begin at; `None` is the sheet as the file has it.
+    from_flat: Option<f64>,
+    /// After which to give up.
+    pub(crate) max_time: Option<Duration>,
     /// As on the command line.
     pub(crate) solver_name: SolverName,
     /// What folds.
@@ -66,18 +75,23 @@ impl Settings {
         let of_sheet = args.sheet.is_some() && args.frames.is_none();
         let sheet_alone = of_sheet && !beside_sheet && args.report.is_none();
         let stages = args.frames.or(sheet_alone.then_some(STAGES));
-        let percents = stages.map_or_else(|| vec![args.percent], |n| frame_percents(args.percent, n));
+        let from_flat = args.from_flat.then(|| 100.0_f64.copysign(args.percent));
+        let stages_to = |n| frame_percents(from_flat.unwrap_or(0.0), args.percent, n);
+        let percents = stages.map_or_else(|| vec![args.percent], stages_to);
         Ok(Self {
             frame: args.frame,
             percents,
-            sheet_percents: (of_sheet && !sheet_alone).then(|| frame_percents(args.percent, STAGES)),
+            sheet_percents: (of_sheet && !sheet_alone).then(|| stages_to(STAGES)),
             steps: solving.steps,
             animated: args.frames.is_some(),
             reported: args.report.is_some(),
             style: drawn.then(|| Style::new(&args.picture)).transpose()?,
             film: Film { turntable: args.turntable, fps: args.fps },
             hold: args.hold.unwrap_or_default(),
-            material: args.material.material(),
+            material: args.material.material(material(solving.solver)),
+            from_flat,
+            // One longer than a clock can tell is none.
+            max_time: args.max_seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()),
             solver_name: solving.solver,
             method: method(solving, args.perturbation)?,
             backend: backend(solving, &args.material.named())?,
@@ -86,6 +100,20 @@ impl Settings {
             time_step,
             integrator,
         })
+    }
+
+    /// Where the sheet is when it begins to fold.
+    ///
+    /// # Errors
+    /// Why it has no flat-folded state.
+    pub(crate) fn start(&self, model: &Model) -> Result<State, Failed> {
+        let flat = |percent| Reflect { tolerance: CLOSED }.fold_from_rest(model, percent);
+        self.from_flat.map_or_else(|| Ok(State::at_rest(model)), |percent| flat(percent).map(|folded| folded.state))
+    }
+
+    /// What reports call that.
+    pub(crate) fn start_name(&self) -> &'static str {
+        if self.from_flat.is_some() { "flat" } else { "rest" }
     }
 
     /// How many states are settled for one input.
@@ -116,13 +144,18 @@ impl Settings {
     /// The length of the first step; relaxations have none that can be told beforehand.
     pub(crate) fn first_time_step(&self, model: &Model) -> Option<f64> {
         match (self.solver_name, self.time_step) {
-            (SolverName::Relax | SolverName::Newton, _) => None,
+            (SolverName::Relax | SolverName::Newton | SolverName::Reflect, _) => None,
             (SolverName::Dynamics, TimeStep::Paper) => Some(time_step::paper(model)),
             (SolverName::Dynamics, TimeStep::Safe) => Some(time_step::safe(model, &model.rest, self.integrator)),
             (SolverName::Dynamics, TimeStep::Fixed(dt)) => Some(dt),
             (SolverName::Dynamics, _) => None,
         }
     }
+}
+
+/// The material of a solver: the paper's motion has the paper's springs.
+pub(crate) fn material(solver: SolverName) -> Material {
+    if solver == SolverName::Dynamics { Material::paper() } else { Material::default() }
 }
 
 /// What folds.
@@ -150,6 +183,7 @@ pub(crate) fn method(solving: &SolvingArgs, perturbation: Option<f64>) -> Result
                 ..Dynamics::default()
             }))
         }
+        SolverName::Reflect => Ok(Method::Reflect(Reflect { tolerance })),
         SolverName::Newton => newton(Relax { steps: None, precision: Precision::F64, ..relax }, solving),
     }
 }
@@ -174,8 +208,10 @@ fn newton(_relax: Relax, _solving: &SolvingArgs) -> Result<Method, String> {
 /// # Errors
 /// What this build or this machine cannot do.
 pub(crate) fn backend(solving: &SolvingArgs, material: &[(&str, f64)]) -> Result<Backend, String> {
-    if solving.solver == SolverName::Newton && solving.backend == BackendName::Gpu {
-        return Err("--backend gpu: newton runs on the processor; expected auto or cpu".to_owned());
+    let processor_only = matches!(solving.solver, SolverName::Newton | SolverName::Reflect);
+    if processor_only && solving.backend == BackendName::Gpu {
+        let name = solving.solver.name();
+        return Err(format!("--backend gpu: {name} runs on the processor; expected auto or cpu"));
     }
     if solving.precision.is_some() && solving.backend == BackendName::Gpu {
         return Err("--precision: GPUs have numbers of their own; expected --backend cpu, or neither".to_owned());
@@ -186,7 +222,7 @@ pub(crate) fn backend(solving: &SolvingArgs, material: &[(&str, f64)]) -> Result
         let expected = format!("expected {least} to {most}, or --backend cpu");
         return Err(format!("{option} {}: GPUs compute in f32, which is too narrow for it; {expected}", plain(x)));
     }
-    let on_processor = solving.precision.is_some() || solving.solver == SolverName::Newton || beyond.is_some();
+    let on_processor = solving.precision.is_some() || processor_only || beyond.is_some();
     let wanted = if on_processor { BackendName::Cpu } else { solving.backend };
     Backend::new(wanted, solving.adapter.as_deref())
 }
@@ -205,10 +241,18 @@ fn beyond_single<'a>(solving: &SolvingArgs, material: &[(&'a str, f64)]) -> Opti
     all.into_iter().find(|(_, x)| *x != 0.0 && !(least..=most).contains(&x.abs()))
 }
 
+/// Percentages of `frames` + 1 states between two, both included, evenly spaced.
+fn frame_percents(from: f64, to: f64, frames: u32) -> Vec<f64> {
+    let ways = origami::solve::frame_percents(to - from, frames);
+    ways.into_iter().map(|way| from + way).collect()
+}
+
 /// What may help against divergence.
 pub(crate) fn advice(solver: SolverName, time_step: TimeStep) -> &'static str {
     match (solver, time_step) {
-        (SolverName::Relax | SolverName::Newton, _) => "stiffnesses nearer to the defaults or a longer --ramp may hold",
+        (SolverName::Relax | SolverName::Newton | SolverName::Reflect, _) => {
+            "stiffnesses nearer to the defaults or a longer --ramp may hold"
+        }
         (SolverName::Dynamics, TimeStep::Safe) => "a smaller --time-step may hold",
         (SolverName::Dynamics, _) => "--time-step safe or a smaller one may hold",
     }
@@ -232,7 +276,7 @@ impl SolvingArgs {
     pub(crate) fn precision_name(&self, on_gpu: bool) -> &'static str {
         match self.solver {
             _ if on_gpu => "f32",
-            SolverName::Newton => Precision::F64.name(),
+            SolverName::Newton | SolverName::Reflect => Precision::F64.name(),
             SolverName::Relax | SolverName::Dynamics => self.precision().name(),
         }
     }

@@ -1,5 +1,7 @@
 //! What an engine is built for.
 
+use std::fmt;
+
 use crate::variant::Scheme;
 
 /// How the passes of a step reach the GPU.
@@ -11,6 +13,27 @@ pub enum Dispatch {
     Passes,
     /// One workgroup for each sheet, which takes many steps in one dispatch.
     Workgroup,
+    /// A workgroup for each block of nodes, which computes from their positions all that pulls at them: fewer bytes, more
+    /// arithmetic. Where no workgroup's memory holds what pulls at one node: by passes.
+    Blocks,
+}
+
+impl Dispatch {
+    /// All ways that there are: each but [`Dispatch::Auto`], which is one of them. [`OnGpu::way`](crate::OnGpu::way) tells
+    /// which a sheet can go.
+    pub const WAYS: &[Self] = &[Self::Passes, Self::Workgroup, Self::Blocks];
+}
+
+/// `auto`, `passes`, `one workgroup` or `blocks`.
+impl fmt::Display for Dispatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Auto => "auto",
+            Self::Passes => "passes",
+            Self::Workgroup => "one workgroup",
+            Self::Blocks => "blocks",
+        })
+    }
 }
 
 /// Nodes up to which [`Dispatch::Auto`] gives a workgroup the whole sheet.

@@ -21,6 +21,8 @@ Examples:
   origami fold crane.fold --frames 60 --animate film.apng  A film of the folding
   origami fold *.fold -o out/ --format obj --report r.json Many at once, into a folder
   origami fold - -o - < crane.fold > folded.fold           As a filter
+  origami fold crane.fold --solver reflect -o flat.fold    The flat-folded state itself, at once
+  origami fold crane.fold --percent 60 --from-flat -o a.fold  Opened from there, not closed from the sheet
   origami fold crane.fold --solver dynamics --time-step paper --percent 60 --steps 300 -o a.fold
                                                            300 steps of the paper's own scheme
 
@@ -28,7 +30,7 @@ Exit codes:
   0  done and converged, or the asked number of steps done
   1  bad input or usage
   2  the state diverged; no geometry is written and older files stay as they were
-  3  the step limit came before convergence; the output is written and says so
+  3  the step limit, or that of time, came before convergence; the output is written and says so
   Of several inputs the most severe counts, in the order 1, 2, 3, 0; none stops the others.";
 
 /// The environment variable that stands in for `--adapter`.
@@ -84,8 +86,8 @@ pub(crate) struct FoldArgs {
 
     /// Settle N stages after the flat one, and write an animation
     ///
-    /// The stages are evenly spaced up to the percentage. FOLD and glTF files then hold all of them, OBJ, STL
-    /// and PNG files the last.
+    /// The stages are evenly spaced up to the percentage; with --from-flat, down to it. FOLD and glTF files then hold all of
+    /// them, OBJ, STL and PNG files the last.
     #[arg(long, value_name = "N", value_parser = whole::<u32>(1..=100_000))]
     pub(crate) frames: Option<u32>,
 
@@ -137,6 +139,20 @@ pub(crate) struct FoldArgs {
     #[command(flatten)]
     pub(crate) solving: SolvingArgs,
 
+    /// Begin at the exact flat-folded state and open the sheet from there
+    ///
+    /// For patterns that fold flat, and less than 100 %: no crease closes the wrong way on a way that is not gone. States of
+    /// creases that hinder each other are often lower than those from the open sheet. With a negative percentage it begins at
+    /// -100 %.
+    #[arg(long, help_heading = "Solver")]
+    pub(crate) from_flat: bool,
+
+    /// Seconds after which to give up, for each input; all its stages together [default: none]
+    ///
+    /// What has been reached by then is written, as at --max-steps. The clock is looked at every 50 steps.
+    #[arg(long, value_name = "S", value_parser = positive, help_heading = "Solver")]
+    pub(crate) max_seconds: Option<f64>,
+
     /// How far relax moves each vertex at the start, as a share of its shortest beam; 0 is not at all [default: 0.01]
     ///
     /// A symmetric sheet would else stay on the saddle between two ways to buckle. Larger: saddles are left sooner. So too
@@ -179,7 +195,7 @@ pub(crate) struct SolvingArgs {
 
     /// Distance from the equilibrium at which to stop, in units of the sheet's radius
     ///
-    /// With newton: at which relax hands over to it.
+    /// With newton: at which relax hands over to it. With reflect: how far the sheet may miss itself.
     #[arg(long, value_name = "T", value_parser = positive, default_value_t = DEFAULT_TOLERANCE)]
     pub(crate) tolerance: f64,
 
@@ -215,7 +231,7 @@ pub(crate) struct SolvingArgs {
 /// What computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum BackendName {
-    /// A hardware GPU, if there is one, for 10000 vertices or more; else the processor
+    /// A hardware GPU, if there is one, for 10000 vertices or more (an estimate, not measured); else the processor
     Auto,
     /// The processor
     Cpu,
@@ -241,6 +257,8 @@ pub(crate) enum SolverName {
     Dynamics,
     /// Relax, then Newton's method to the equilibrium itself: what errors are measured against
     Newton,
+    /// The exact flat-folded state, by reflecting the faces; at 100 or -100 % of patterns that fold flat
+    Reflect,
 }
 
 impl SolverName {
@@ -250,6 +268,7 @@ impl SolverName {
             Self::Relax => "relax",
             Self::Dynamics => "dynamics",
             Self::Newton => "newton",
+            Self::Reflect => "reflect",
         }
     }
 }
@@ -292,5 +311,6 @@ mod tests {
         let auto = BackendName::Auto.to_possible_value();
         let text = auto.as_ref().and_then(|value| value.get_help()).expect("auto has a help text").to_string();
         assert!(text.contains(&format!("for {} vertices or more", origami::gpu::AUTO_NODES)), "{text}");
+        assert_eq!(text.contains("an estimate, not measured"), !origami::gpu::AUTO_NODES_MEASURED, "{text}");
     }
 }

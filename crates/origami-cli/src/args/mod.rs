@@ -1,6 +1,7 @@
 //! The command line, one file a command. Defaults of the simulation come from the library.
 
 mod adapters;
+mod analyse;
 mod convert;
 mod fold;
 mod hold;
@@ -8,16 +9,21 @@ mod info;
 mod list;
 mod look;
 mod material;
+mod merge;
 mod pattern;
 mod picture;
 mod reading;
 mod render;
+mod shard;
 mod study;
 mod sweep;
 mod usage;
 mod values;
 
 pub(crate) use adapters::AdaptersArgs;
+pub(crate) use analyse::AnalyseArgs;
+#[cfg(feature = "analysis")]
+pub(crate) use analyse::{Analysis, BucklingArgs, EquilibriaArgs, ModesArgs, PathArgs, StiffnessArgs, SubjectArgs};
 pub(crate) use convert::ConvertArgs;
 #[cfg(feature = "formats")]
 pub(crate) use convert::LinesName;
@@ -28,12 +34,14 @@ pub(crate) use info::InfoArgs;
 #[cfg(feature = "render")]
 pub(crate) use look::{Ground, check_size};
 pub(crate) use material::MaterialArgs;
+pub(crate) use merge::MergeArgs;
 pub(crate) use pattern::PatternArgs;
 #[cfg(feature = "render")]
 pub(crate) use picture::{CameraName, ColoursName, ShadingName, ThemeName};
 pub(crate) use picture::{MapName, PictureArgs};
 pub(crate) use reading::ReadingArgs;
 pub(crate) use render::{RenderArgs, ViewName};
+pub(crate) use shard::Shard;
 pub(crate) use study::StudyArgs;
 #[cfg(feature = "study")]
 pub(crate) use study::{StudyBackend, StudyName};
@@ -68,6 +76,7 @@ Examples:
   origami fold --help                                      More of these, and all settings
   origami sweep miura.fold --percent 0:100:5 -o out        Fold it in many ways
   origami study accuracy miura.fold -o out                 See how far to trust the solvers
+  origami analyse path kresling.fold press.json -o out     Press it until it snaps, and further
 
 Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.";
 
@@ -76,9 +85,11 @@ Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.
 pub(crate) enum Command {
     Fold(Box<FoldArgs>),
     Sweep(Box<SweepArgs>),
+    Merge(MergeArgs),
     Convert(ConvertArgs),
     Render(Box<RenderArgs>),
     Study(StudyArgs),
+    Analyse(Box<AnalyseArgs>),
     Info(InfoArgs),
     Pattern(PatternArgs),
     Adapters(AdaptersArgs),

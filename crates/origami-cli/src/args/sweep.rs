@@ -10,6 +10,7 @@ use origami::solve::{Relax, Sweep};
 
 use super::hold::hold;
 use super::list::List;
+use super::shard::{Shard, shard};
 use super::values::{at_least_zero, finite, index, positive, share, threads, whole};
 use super::{ReadingArgs, SolverName, SolvingArgs};
 use crate::files::Format;
@@ -24,6 +25,7 @@ Examples:
   origami sweep crane.fold --percent 100:-100:-20 --folded obj -o out   Each as a file too
   origami sweep crane.fold --perturbation 0.003,0.03 --seeds 50 -o out  Where chance leads
   origami sweep crane.fold --percent 0:100:0.01 -o out --resume         On, after Ctrl-C
+  origami sweep crane.fold --percent 0:100:0.01 -o out --shard 2/8      On the second machine of 8
 
 Every combination is folded from the sheet as the file has it. Rows come in this order, the last
 varying fastest: ea, k-fold, k-facet, k-face, zeta, perturbation, seed, percent.
@@ -99,6 +101,13 @@ pub(crate) struct SweepArgs {
     #[arg(long)]
     pub(crate) resume: bool,
 
+    /// Fold only part I of N, for many machines: `2/8`, or `slurm`, `pbs/N`, `kubernetes/N` in a job array
+    ///
+    /// Parts are as equal as can be and may all go to one folder; `origami merge` makes the tables of the whole sweep of
+    /// theirs. In an array of jobs the environment tells I: slurm also tells N, pbs counts from 1, kubernetes from 0.
+    #[arg(long, value_name = "I/N", value_parser = shard)]
+    pub(crate) shard: Option<Shard>,
+
     /// Say nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
@@ -162,7 +171,12 @@ impl SweepArgs {
         let count = counts.into_iter().try_fold(1_usize, |product, count| product.checked_mul(count?));
         match count {
             Some(count) if count <= MOST => {
-                Ok((Sweep { percents, materials: grid.materials(), perturbations, seeds: self.seeds }, count))
+                let mut materials = grid.materials();
+                if self.solving.solver == SolverName::Dynamics {
+                    // The paper's motion has the paper's springs.
+                    materials.iter_mut().for_each(|material| material.collapse = Material::paper().collapse);
+                }
+                Ok((Sweep { percents, materials, perturbations, seeds: self.seeds }, count))
             }
             _ => {
                 let number = count.map_or_else(|| "more than can be counted".to_owned(), |n| grouped(n as u64));
@@ -188,7 +202,7 @@ impl SweepArgs {
     fn default_perturbation(&self) -> f64 {
         match self.solving.solver {
             SolverName::Relax | SolverName::Newton => Relax::default().perturbation,
-            SolverName::Dynamics => 0.0,
+            SolverName::Dynamics | SolverName::Reflect => 0.0,
         }
     }
 

@@ -13,9 +13,9 @@ pub(crate) use gpu::{Backend, adapters, may_have_hardware, none};
 use origami::Warning;
 #[cfg(feature = "newton")]
 use origami::solve::Newton;
-use origami::solve::{Dynamics, Relax, Solver};
+use origami::solve::{Dynamics, Reflect, Relax, Solver};
 
-use crate::report::Adapter;
+use crate::report::{Adapter, By};
 
 /// The solver, wherever it runs.
 pub(crate) enum Method {
@@ -23,6 +23,7 @@ pub(crate) enum Method {
     Dynamics(Dynamics),
     #[cfg(feature = "newton")]
     Newton(Newton),
+    Reflect(Reflect),
 }
 
 impl Method {
@@ -33,6 +34,7 @@ impl Method {
             Self::Dynamics(dynamics) => Box::new(dynamics.clone()),
             #[cfg(feature = "newton")]
             Self::Newton(newton) => Box::new(newton.clone()),
+            Self::Reflect(reflect) => Box::new(reflect.clone()),
         }
     }
 }
@@ -43,12 +45,14 @@ pub(crate) struct Computer {
     pub(crate) solver: Box<dyn Solver>,
     /// The GPU; `None` is the processor.
     pub(crate) adapter: Option<Adapter>,
+    /// What decided that.
+    pub(crate) by: By,
     /// Why it is not where the command line has it.
     pub(crate) warning: Option<Warning>,
 }
 
 impl Computer {
-    fn processor(method: &Method) -> Self {
-        Self { solver: method.solver(), adapter: None, warning: None }
+    fn processor(method: &Method, by: By) -> Self {
+        Self { solver: method.solver(), adapter: None, by, warning: None }
     }
 }

@@ -1,6 +1,7 @@
 //! What each command does.
 
 mod adapters;
+mod analyse;
 mod convert;
 mod fold;
 mod info;
@@ -21,9 +22,11 @@ pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
     match cli.command {
         Command::Fold(args) => fold::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Merge(args) => sweep::merge(&args),
         Command::Convert(args) => convert::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Study(args) => study::run(&args),
+        Command::Analyse(args) => analyse::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Pattern(args) => pattern::run(&args),
         Command::Adapters(args) => adapters::run(&args),

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::numbers::percent_of;
 
 /// How a state was reached and what it is like. Numbers that are not known are null.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Measured {
     pub(crate) percent: f64,
     pub(crate) time_step: Option<f64>,
@@ -33,6 +33,8 @@ pub(crate) enum Ending {
     Converged,
     StepsDone,
     StepLimit,
+    /// The time that it was given was over.
+    TimeLimit,
     /// A triangle was crushed to a line.
     Crushed,
     /// What computes gave up; in a sweep only.
@@ -43,7 +45,7 @@ pub(crate) enum Ending {
 }
 
 /// Of absolute values.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Statistics {
     pub(crate) mean: f64,
     pub(crate) rms: f64,
@@ -51,16 +53,17 @@ pub(crate) struct Statistics {
 }
 
 /// By kind of spring.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Energy {
     beams: f64,
     creases: f64,
     corner_angles: f64,
+    areas: f64,
     total: f64,
 }
 
 /// In degrees.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct AngleError {
     pub(crate) mean: f64,
     pub(crate) max: f64,
@@ -94,6 +97,7 @@ impl Measured {
                 beams: energy.beams,
                 creases: energy.creases,
                 corner_angles: energy.corner_angles,
+                areas: energy.areas,
                 total: energy.total(),
             }),
             angle_error_deg: Some(AngleError { mean: angles.mean, max: angles.max }),
@@ -109,7 +113,8 @@ impl From<Stop> for Ending {
             Stop::Converged => Self::Converged,
             Stop::StepsDone => Self::StepsDone,
             Stop::Crushed => Self::Crushed,
-            // The command line breaks nothing off.
+            // The command line breaks nothing off for another reason.
+            Stop::Cancelled => Self::TimeLimit,
             _ => Self::StepLimit,
         }
     }

@@ -7,7 +7,7 @@ mod note;
 mod scene;
 mod sweep;
 
-pub(crate) use adapter::{Adapter, AdapterDetails};
+pub(crate) use adapter::{Adapter, AdapterDetails, By};
 pub(crate) use attitude::attitude;
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use note::Note;
@@ -15,6 +15,7 @@ pub(crate) use scene::{PaperFacts, SceneFacts};
 pub(crate) use sweep::{Asked, Head, Row, Table, Tail, Varied, csv_line, csv_names, json_begin, json_end, json_row};
 
 use std::borrow::Cow;
+use std::ops::Add;
 
 use origami::solve::{Diverged, Quantity};
 use serde::{Deserialize, Serialize};
@@ -42,10 +43,14 @@ pub(crate) enum Report {
 pub(crate) struct Run {
     /// As named on the command line.
     pub(crate) input: String,
-    /// `relax`, `dynamics` or `newton`.
+    /// `relax`, `dynamics`, `newton` or `reflect`.
     pub(crate) solver: &'static str,
+    /// Where it began: `rest` or `flat`.
+    pub(crate) from: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,
+    /// What decided that.
+    pub(crate) backend_by: By,
     /// The GPU.
     pub(crate) adapter: Option<Adapter>,
     /// What was built.
@@ -73,7 +78,7 @@ pub(crate) struct Run {
 }
 
 /// Where and how a state left all bounds.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Divergence {
     vertex: u32,
     pub(crate) step: u64,
@@ -94,7 +99,7 @@ impl From<&Diverged> for Divergence {
 }
 
 /// Wall-clock time of each part.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Seconds {
     /// Reading and parsing the file.
     pub(crate) read: f64,
@@ -107,6 +112,21 @@ pub(crate) struct Seconds {
     /// Pictures, films and glTF; in a sweep a part of writing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) draw: Option<f64>,
+}
+
+impl Add for Seconds {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let draw = [self.draw, other.draw].into_iter().flatten().reduce(f64::add);
+        Self {
+            read: self.read + other.read,
+            build: self.build + other.build,
+            solve: self.solve + other.solve,
+            write: self.write + other.write,
+            draw,
+        }
+    }
 }
 
 /// Reports as JSON: an object for one input, an array for several.

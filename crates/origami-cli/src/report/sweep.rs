@@ -5,17 +5,21 @@ use origami::solve::Point;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::{Adapter, Divergence, Measured, SceneFacts, Seconds};
+use crate::args::Shard;
+
+use super::{Adapter, By, Divergence, Measured, Seconds};
 
 /// What sweep.json begins with: all that a sweep goes on with must have been made with the same.
 #[derive(Debug, Serialize)]
 pub(crate) struct Head {
     /// As named on the command line.
     pub(crate) input: String,
-    /// `relax`, `dynamics` or `newton`.
+    /// `relax`, `dynamics`, `newton` or `reflect`.
     pub(crate) solver: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,
+    /// What decided that.
+    pub(crate) backend_by: By,
     /// The GPU.
     pub(crate) adapter: Option<Adapter>,
     /// `f64` or `mixed` on the processor, `f32` on a GPU.
@@ -54,15 +58,18 @@ pub(crate) struct Asked {
     pub(crate) integrator: &'static str,
     /// Formats of the folded sheets.
     pub(crate) folded: Vec<&'static str>,
+    /// Which part of the sweep these are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) shard: Option<Shard>,
 }
 
 /// What sweep.json ends with.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub(crate) struct Tail<'a> {
+pub(crate) struct Tail<'a, Scene> {
     /// Whether all sheets have a row.
     pub(crate) complete: bool,
     /// What was built: materials differ in what they need.
-    pub(crate) scenes: &'a [SceneFacts],
+    pub(crate) scenes: &'a [Scene],
     /// How long each part took.
     pub(crate) seconds: Seconds,
 }
@@ -77,7 +84,7 @@ pub(crate) struct Table {
 }
 
 /// What came of one sheet.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Row {
     pub(crate) index: usize,
     /// Its place in the table's scenes.
@@ -96,7 +103,7 @@ pub(crate) struct Row {
 }
 
 /// What varies, but for the percentage.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Varied {
     ea: f64,
     k_fold: f64,
@@ -109,7 +116,7 @@ pub(crate) struct Varied {
 
 impl Varied {
     pub(crate) fn new(material: &Material, point: &Point) -> Self {
-        let Material { ea, k_fold, k_facet, k_face, zeta } = *material;
+        let Material { ea, k_fold, k_facet, k_face, zeta, .. } = *material;
         Self { ea, k_fold, k_facet, k_face, zeta, perturbation: point.perturbation, seed: point.seed }
     }
 }
@@ -170,7 +177,7 @@ fn cell(value: Option<&Value>) -> String {
 }
 
 /// The JSON up to the rows, which follow.
-pub(crate) fn json_begin(head: &Head) -> serde_json::Result<String> {
+pub(crate) fn json_begin(head: &impl Serialize) -> serde_json::Result<String> {
     let text = serde_json::to_string_pretty(head)?;
     Ok(format!("{},\n  \"instances\": [", text.strip_suffix("\n}").unwrap_or(&text)))
 }
@@ -182,7 +189,7 @@ pub(crate) fn json_row(row: &Row, is_first: bool) -> serde_json::Result<String> 
 }
 
 /// What follows the rows, if there are any.
-pub(crate) fn json_end(tail: Tail<'_>, has_rows: bool) -> serde_json::Result<String> {
+pub(crate) fn json_end(tail: Tail<'_, impl Serialize>, has_rows: bool) -> serde_json::Result<String> {
     let text = serde_json::to_string_pretty(&tail)?;
     let text = text.strip_prefix("{\n").unwrap_or(&text);
     Ok(format!("{}],\n{text}\n", if has_rows { "\n  " } else { "" }))

@@ -29,8 +29,12 @@ fn help_is_as_reviewed() {
     golden("fold-short", &["fold", "-h"]);
     golden("sweep", &["sweep", "--help"]);
     golden("sweep-short", &["sweep", "-h"]);
+    golden("merge", &["merge", "--help"]);
     golden("render", &["render", "--help"]);
     golden("study", &["study", "--help"]);
+    golden("analyse", &["analyse", "--help"]);
+    golden("analyse-path", &["analyse", "path", "--help"]);
+    golden("analyse-modes", &["analyse", "modes", "--help"]);
     golden("info", &["info", "--help"]);
     golden("pattern", &["pattern", "--help"]);
     golden("completions", &["completions", "--help"]);
@@ -39,7 +43,9 @@ fn help_is_as_reviewed() {
 
 #[test]
 fn every_command_shows_an_example() {
-    for command in ["fold", "sweep", "render", "study", "info", "pattern", "adapters", "completions", "man"] {
+    let commands =
+        ["fold", "sweep", "merge", "render", "study", "analyse", "info", "pattern", "adapters", "completions", "man"];
+    for command in commands {
         let output = Command::cargo_bin("origami").unwrap().args([command, "--help"]).output().unwrap();
         let text = String::from_utf8(output.stdout).unwrap();
         assert!(text.contains(&format!("  origami {command}")), "{command}: {text}");
@@ -52,9 +58,19 @@ fn completions_and_manual_page_name_every_command() {
         let output = Command::cargo_bin("origami").unwrap().args(args).output().unwrap();
         assert!(output.status.success(), "{args:?}");
         let text = String::from_utf8(output.stdout).unwrap();
-        for word in
-            ["fold", "sweep", "render", "study", "info", "pattern", "adapters", "completions", "percent", "tolerance"]
-        {
+        for word in [
+            "fold",
+            "sweep",
+            "merge",
+            "render",
+            "study",
+            "info",
+            "pattern",
+            "adapters",
+            "completions",
+            "percent",
+            "tolerance",
+        ] {
             assert!(text.contains(word), "{args:?} does not name {word}");
         }
     }

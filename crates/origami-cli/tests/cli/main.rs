@@ -1,11 +1,13 @@
 //! The program from outside: what it reads, writes, says and exits with.
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
+mod analyse;
 mod attitude;
 mod batch;
 mod convert;
 mod dangers;
 mod faults;
+mod flat;
 mod fold;
 mod formats;
 mod gpu;
@@ -20,6 +22,7 @@ mod picture;
 mod place;
 mod report;
 mod resume;
+mod shards;
 mod streams;
 mod study;
 mod sweep;

@@ -10,12 +10,14 @@ mod big_little_big;
 mod brute_force;
 mod corners;
 mod kawasaki;
+mod lay;
 mod maekawa;
 mod open_ends;
 mod reflect;
 mod rings;
 mod rules;
 
+pub(crate) use lay::{Hinge, lay};
 pub use open_ends::{OpenEnd, open_ends};
 pub use reflect::{Closure, Reflected};
 pub use rules::{Fault, VertexFault};

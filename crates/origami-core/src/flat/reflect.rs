@@ -1,12 +1,10 @@
-//! The flat-folded sheet: every face reflected across the creases on the way to it from the first one. Where the pattern can
-//! lie flat, all ways to a face agree; by how much they do not is the sheet's closure.
-
-use std::collections::VecDeque;
+//! The flat-folded sheet: every face reflected across the creases on the way to it from the first one.
 
 use glam::{DVec2, DVec3};
 
 use super::Role;
 use super::corners::Edges;
+use super::lay::{Hinge, lay};
 use crate::csr::Csr;
 use crate::ids::VertexId;
 use crate::pattern::CreasePattern;
@@ -36,39 +34,6 @@ pub struct Reflected {
     pub closure: Closure,
 }
 
-/// A motion of the plane: a turn, after a reflection across the axis x where it is `mirrored`, then a shift.
-#[derive(Clone, Copy)]
-struct Motion {
-    mirrored: bool,
-    turn: DVec2,
-    shift: DVec2,
-}
-
-impl Motion {
-    const NONE: Self = Self { mirrored: false, turn: DVec2::X, shift: DVec2::ZERO };
-
-    fn of(self, point: DVec2) -> DVec2 {
-        self.turned(point) + self.shift
-    }
-
-    fn turned(self, direction: DVec2) -> DVec2 {
-        self.turn.rotate(if self.mirrored { conjugate(direction) } else { direction })
-    }
-
-    /// The same after a reflection across the line from `a` to `b`.
-    fn after_reflection(self, a: DVec2, b: DVec2) -> Self {
-        let along = (b - a).normalize_or(DVec2::X);
-        // Across the line: p -> a + along^2 conj(p - a), as complex numbers.
-        let turn = along.rotate(along);
-        let shift = a - turn.rotate(conjugate(a));
-        Self { mirrored: !self.mirrored, turn: self.turned(turn).normalize_or(DVec2::X), shift: self.of(shift) }
-    }
-}
-
-fn conjugate(z: DVec2) -> DVec2 {
-    DVec2::new(z.x, -z.y)
-}
-
 impl CreasePattern {
     /// The sheet folded flat by reflecting its faces, in linear time; layers are not looked at. `None` for a sheet that is
     /// not flat, or has a crease between two faces that is asked for an angle other than half a turn or 0, or for none.
@@ -90,80 +55,45 @@ impl CreasePattern {
         let radius = plane::radius(&self.vertices);
         let low = self.vertices.iter().copied().reduce(DVec3::min)?;
         let centre = (low + 0.5 * plane::extent(&self.vertices)).truncate();
-        // Near 1 and around 0, so that shifts do not lose what turns have.
         let points: Vec<DVec2> = self.vertices.iter().map(|p| (p.truncate() - centre) / radius).collect();
-        let motions = self.motions(&points)?;
-
-        let mut images = vec![(DVec2::ZERO, 0_u32); points.len()];
-        for (face, motion) in self.faces.iter().zip(&motions) {
-            for corner in face {
-                let (sum, count) = &mut images[corner.index()];
-                *sum += motion.of(points[corner.index()]);
-                *count += 1;
-            }
-        }
-        let means: Vec<DVec2> = { images.iter().zip(&points) }
-            .map(|((sum, count), own)| if *count == 0 { *own } else { *sum / f64::from(*count) })
-            .collect();
-        let mut closure = Closure { spread: 0.0, vertex: None };
-        for (face, motion) in self.faces.iter().zip(&motions) {
-            for corner in face {
-                let off = motion.of(points[corner.index()]).distance(means[corner.index()]);
-                if off > closure.spread {
-                    closure = Closure { spread: off, vertex: Some(*corner) };
-                }
-            }
-        }
-        let position = |(mean, own): (&DVec2, &DVec3)| (centre + *mean * radius).extend(own.z);
+        let corners = self.faces.iter().enumerate().flat_map(|(f, face)| face.iter().map(move |v| (f, v.0)));
+        let laid = lay(&points, &Csr::from_entries(self.faces.len(), corners), &self.hinges()?, std::iter::empty());
+        let position = |(point, own): (&DVec2, &DVec3)| (centre + *point * radius).extend(own.z);
         Some(Reflected {
-            positions: means.iter().zip(&self.vertices).map(position).collect(),
-            face_up: motions.iter().map(|motion| !motion.mirrored).collect(),
-            closure,
+            positions: laid.points.iter().zip(&self.vertices).map(position).collect(),
+            face_up: laid.turned_over.iter().map(|over| !over).collect(),
+            closure: Closure {
+                spread: laid.worst.map_or(0.0, |(_, spread)| spread),
+                vertex: laid.worst.map(|(vertex, _)| VertexId::new(vertex)),
+            },
         })
     }
 
-    /// How each face moves: from the first of each piece outwards.
-    fn motions(&self, points: &[DVec2]) -> Option<Vec<Motion>> {
+    /// What joins the faces, by edge; `None` where an edge between two is asked for another angle or for none.
+    fn hinges(&self) -> Option<Vec<Hinge>> {
         let edges = Edges::of(self);
-        let sides = |face: usize| {
-            let corners = &self.faces[face];
-            corners.iter().zip(corners.iter().cycle().skip(1)).filter_map(|(a, b)| edges.between(*a, *b))
+        let sides = |(face, corners): (usize, &Vec<VertexId>)| {
+            let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+            let edges = sides.filter_map(|(a, b)| edges.between(*a, *b)).collect::<Vec<_>>();
+            edges.into_iter().map(move |edge| (edge.index(), face as u32))
         };
-        let all = (0..self.faces.len()).flat_map(|face| sides(face).map(move |edge| (edge.index(), face as u32)));
-        let faces_of_edge = Csr::from_entries(self.edges.len(), all.collect::<Vec<_>>().iter().copied());
-        let mut motions: Vec<Option<Motion>> = vec![None; self.faces.len()];
-        let mut queue = VecDeque::new();
-        for first in 0..self.faces.len() {
-            if motions[first].is_some() {
+        let all: Vec<(usize, u32)> = self.faces.iter().enumerate().flat_map(sides).collect();
+        let faces_of_edge = Csr::from_entries(self.edges.len(), all.iter().copied());
+        let mut hinges = Vec::new();
+        for (faces, edge) in faces_of_edge.iter().zip(&self.edges) {
+            let &[one, two] = faces else { continue };
+            // A crease that ends inside a face has that face on both sides, and folds nothing.
+            if one == two {
                 continue;
             }
-            motions[first] = Some(Motion::NONE);
-            queue.push_back(first);
-            while let Some(face) = queue.pop_front() {
-                let here = motions[face]?;
-                for edge in sides(face) {
-                    let &[one, two] = faces_of_edge.row(edge.index()) else { continue };
-                    let other = if one as usize == face { two } else { one } as usize;
-                    // A crease that ends inside a face has that face on both sides, and folds nothing.
-                    if other == face {
-                        continue;
-                    }
-                    let there = match Role::of(&self.edges[edge.index()]) {
-                        Role::Flat => here,
-                        Role::Folded { .. } => {
-                            let [a, b] = self.edges[edge.index()].vertices.map(|v| points[v.index()]);
-                            here.after_reflection(a, b)
-                        }
-                        Role::Partial | Role::Free | Role::Rim => return None,
-                    };
-                    if motions[other].is_none() {
-                        motions[other] = Some(there);
-                        queue.push_back(other);
-                    }
-                }
-            }
+            let folded = match Role::of(edge) {
+                Role::Flat => false,
+                Role::Folded { .. } => true,
+                Role::Partial | Role::Free | Role::Rim => return None,
+            };
+            hinges.push(Hinge { faces: [one, two], ends: edge.vertices.map(|v| v.0), folded });
         }
-        motions.into_iter().collect()
+        Some(hinges)
     }
 }
 

@@ -4,7 +4,7 @@ use std::iter::{empty, repeat};
 
 use crate::csr::Csr;
 use crate::ids::NodeId;
-use crate::model::Model;
+use crate::model::{Beam, Model, Softening};
 
 use super::blocks::{Block, Cutter, FILLING, NODES};
 use super::of_triangles::OfTriangles;
@@ -54,6 +54,10 @@ pub(super) struct Layout<R> {
     /// Creases that are in a second block: their place there, and the first one.
     pub(super) copies: Vec<[u32; 2]>,
     pub(super) k_face: f64,
+    pub(super) k_area: f64,
+    /// What pulls a crease back to flat from the side that its target is not on, in units of its stiffness.
+    pub(super) wrong_side: f64,
+    pub(super) softening: Option<Softening>,
     pub(super) damped: bool,
 }
 
@@ -92,6 +96,9 @@ impl<R: Real> Layout<R> {
             place_of_crease: vec![u32::MAX; model.creases.len()],
             copies: Vec::new(),
             k_face: model.material.k_face,
+            k_area: model.k_area(),
+            wrong_side: 0.0,
+            softening: None,
             damped: damped && model.material.zeta > 0.0,
         };
         let springs = OfTriangles::new(model);
@@ -187,6 +194,28 @@ impl<R: Real> Layout<R> {
         let summands = Csr::from_entries(block.acted_on, summands);
         self.counts.extend(summands.iter().map(|own| own.len() as u16));
         self.summands.extend(summands.items());
+    }
+
+    /// Makes the springs so soft, whatever they were before; they are exactly the model's without.
+    pub(super) fn soften(&mut self, model: &Model, width: usize, softening: Option<Softening>) {
+        self.softening = softening;
+        self.wrong_side = softening.map_or(0.0, |soft| soft.wrong_side);
+        self.k_face = softening.map_or(1.0, |soft| soft.corner_angles) * model.material.k_face;
+        let stiffness = |beam: &Beam| softening.map_or(beam.stiffness, |soft| soft.of_beam(model, beam));
+        let springs = OfTriangles::new(model);
+        let own = |side: u32| R::of(springs.share_of(model, side) * stiffness(&model.beams[side as usize]));
+        let mut blocks = self.blocks.iter();
+        Cutter::new(model, &springs.sides, &springs.loose_ends(model)).cut(|block| {
+            let Some(starts) = blocks.next() else { return };
+            for (triangle, place) in block.triangles.iter().zip(starts.triangles..) {
+                for (i, side) in springs.sides[*triangle as usize].into_iter().enumerate() {
+                    self.beams[at(width, place, (3 + i, 6))] = own(side);
+                }
+            }
+            for (loose, place) in block.loose.iter().zip(starts.loose..) {
+                self.loose_beams[at(width, place, (1, 3))] = own(springs.loose[*loose as usize]);
+            }
+        });
     }
 
     /// Gives each node a slot in each of its blocks, then each of those `outside`, which are in order, one more.

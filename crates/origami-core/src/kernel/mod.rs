@@ -10,6 +10,7 @@
 
 mod access;
 mod angle;
+mod areas;
 mod blocks;
 mod bounds;
 mod fire_move;
@@ -46,8 +47,8 @@ pub(crate) use real::Quad64;
 
 use glam::DVec3;
 
-use crate::ids::NodeId;
-use crate::model::Model;
+use crate::ids::{CreaseId, NodeId};
+use crate::model::{Model, Softening};
 use crate::scene::{Axes, Held, Scene};
 use crate::twins::fire_update::{Decision, Sums};
 use blocks::NODES;
@@ -194,6 +195,31 @@ impl<R: Compute> Kernel<R> {
     /// Sets the target angle of each crease, in radians.
     pub(crate) fn set_targets(&mut self, targets: impl Iterator<Item = f64>) {
         self.layout.by_crease(targets, &mut self.targets);
+    }
+
+    /// Makes the springs so soft; they are exactly the model's without.
+    pub(crate) fn soften(&mut self, model: &Model, softening: Option<Softening>) {
+        if softening != self.layout.softening {
+            self.layout.soften(model, R::width(self.isa), softening);
+        }
+    }
+
+    /// How soft they are.
+    pub(crate) fn softening(&self) -> Option<Softening> {
+        self.layout.softening
+    }
+
+    /// The creases that softening turns back to flat: those folded to the other side than their targets.
+    pub(crate) fn wrong_sides(&self) -> Vec<CreaseId> {
+        if self.layout.wrong_side == 0.0 {
+            return Vec::new();
+        }
+        let is_wrong = |place: u32| {
+            let [angle, target] = [&self.angles, &self.targets].map(|list| list[place as usize].to_f64());
+            angle * target < 0.0
+        };
+        let creases = self.layout.place_of_crease.iter().enumerate();
+        creases.filter(|(_, place)| is_wrong(**place)).map(|(crease, _)| CreaseId::new(crease)).collect()
     }
 
     /// First passes: fold angles, and forces of all springs, of the damping if `damped`, and from outside. The result is the

@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::DVec3;
 
-use super::{Needs, Scene};
+use super::{Needs, NotFlat, Scene};
 use crate::ids::NodeId;
 use crate::model::Model;
 
@@ -71,6 +71,9 @@ pub enum Refusal {
         /// What can be done.
         instead: &'static str,
     },
+    /// The flat-folded state is asked for where there is none.
+    #[error(transparent)]
+    NotFlat(#[from] NotFlat),
     /// A pin that was taken out.
     #[error("pin of node {}: it was taken out; expected one that still holds", .0.0)]
     NotPinned(NodeId),
@@ -91,6 +94,22 @@ pub enum Refusal {
         backend: &'static str,
         /// What can.
         expected: &'static str,
+    },
+    /// A number is too large, or too small, for the numbers in which it is to be computed.
+    #[error(
+        "{what}: {value:e}; {backend} computes in f32 (expected {least:e} to {most:e} in size, or the same solver on the CPU)"
+    )]
+    TooWide {
+        /// What the number is.
+        what: String,
+        /// The number.
+        value: f64,
+        /// What was to compute with it.
+        backend: &'static str,
+        /// The least size beside 0.
+        least: f64,
+        /// The largest.
+        most: f64,
     },
 }
 

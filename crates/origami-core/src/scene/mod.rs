@@ -5,6 +5,7 @@
 mod check;
 mod force;
 mod held;
+mod not_flat;
 mod supports;
 mod targets;
 mod timeline;
@@ -12,6 +13,7 @@ mod timeline;
 pub use check::Refusal;
 pub use force::{Force, Needs};
 pub use held::Held;
+pub use not_flat::NotFlat;
 pub use supports::{Axes, Load, Reaction, Support};
 pub use targets::Targets;
 pub use timeline::{KeyRefused, Timeline};

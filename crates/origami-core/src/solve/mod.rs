@@ -1,8 +1,8 @@
 //! Where a sheet is now, and how far it is to go.
 //!
 //! A [`Simulation`] is a sheet in motion: it can be stepped, steered and watched. Drivers go all the way at once: [`Relax`]
-//! to the folded state, [`Dynamics`] along the paper's motion, `Newton` to the equilibrium itself. All are deterministic:
-//! the same input gives the same bits.
+//! to the folded state, [`Dynamics`] along the paper's motion, `Newton` to the equilibrium itself, [`Reflect`] to the
+//! flat-folded state without a way there. All are deterministic: the same input gives the same bits.
 //!
 //! A large sheet takes several threads, if that is faster, and the same bits come out: by default as many as rayon's pool
 //! has, and one alone for a fold that is itself on a thread of a pool, as those of a batch are. `threads` of the settings
@@ -28,6 +28,7 @@ mod perturb;
 mod positions;
 mod precision;
 mod ramp;
+mod reflect;
 pub mod relax;
 pub mod row_sums;
 mod saved;
@@ -52,9 +53,10 @@ pub use guard::{Diverged, Quantity};
 pub use integrator::Integrator;
 #[cfg(feature = "newton")]
 pub use newton::Newton;
-pub use path::{PathFailed, fold_path, frame_percents};
+pub use path::{PathFailed, fold_path, fold_path_from, frame_percents};
 pub use positions::{Positions, Units};
 pub use precision::Precision;
+pub use reflect::Reflect;
 pub use relax::{Relax, default_ramp};
 pub use saved::Saved;
 pub use simulation::{Pin, Simulation};

@@ -26,23 +26,37 @@ pub struct PathFailed {
     pub failed: Failed,
 }
 
-/// Folds to each percentage in turn, every one from the state before it, the first from the sheet at rest. `observe` is
-/// told the index of the stage in `percents` and how far its solver has come; where it breaks, the path ends with the state
-/// at hand.
+/// Folds to each percentage in turn, every one from the state before it, the first from the sheet at rest;
+/// [`fold_path_from`] begins elsewhere.
 ///
 /// # Errors
-/// [`PathFailed`] from the first that does not hold, with the states before it.
+/// As for that.
 pub fn fold_path(
     model: &Model,
     solver: &dyn Solver,
     percents: &[f64],
     observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Result<Vec<Folded>, PathFailed> {
+    fold_path_from(model, solver, &State::at_rest(model), percents, observe)
+}
+
+/// Folds to each percentage in turn, every one from the state before it, the first from `first`. `observe` is
+/// told the index of the stage in `percents` and how far its solver has come; where it breaks, the path ends with the state
+/// at hand.
+///
+/// # Errors
+/// [`PathFailed`] from the first that does not hold, with the states before it.
+pub fn fold_path_from(
+    model: &Model,
+    solver: &dyn Solver,
+    first: &State,
+    percents: &[f64],
+    observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
+) -> Result<Vec<Folded>, PathFailed> {
     let mut states: Vec<Folded> = Vec::with_capacity(percents.len());
     let mut session = solver.session(model);
-    let rest = State::at_rest(model);
     for (stage, &percent) in percents.iter().enumerate() {
-        let start = states.last().map_or(&rest, |folded| &folded.state);
+        let start = states.last().map_or(first, |folded| &folded.state);
         match session.fold(start, &Scene::percent(percent), &mut |progress| observe(stage, progress)) {
             Ok(folded) => {
                 let cancelled = folded.stop == Stop::Cancelled;

@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "fire_move",
     text: wgsl::FIRE_MOVE,
     shared: SHARED,
-    parts: |_| vec![wgsl::GATHER, wgsl::FIRE],
+    parts: |_| vec![wgsl::FIRE],
     uses: &[Binding::Control, Binding::Nodes],
     springs: false,
     per: Per::Node,

@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "fire_update",
     text: wgsl::FIRE_UPDATE,
     shared: SHARED,
-    parts: |_| vec![wgsl::GATHER, wgsl::REDUCE, wgsl::PARTIALS, wgsl::FIRE],
+    parts: |_| vec![wgsl::REDUCE, wgsl::PARTIALS, wgsl::FIRE],
     uses: &[Binding::Control, Binding::Partials],
     springs: false,
     per: Per::Instance,

@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "triangle_forces",
     text: wgsl::TRIANGLE_FORCES,
     shared: SHARED,
-    parts: springs,
+    parts: |variant| [springs(variant), vec![wgsl::CLOCK]].concat(),
     uses: &[Binding::Control, Binding::Nodes, Binding::CreaseStates, Binding::Faces, Binding::Slots],
     springs: true,
     per: Per::Face,

@@ -12,7 +12,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     shared: SHARED,
     parts: |variant| {
         let mut parts = springs(variant);
-        parts.extend([wgsl::FOLD_ANGLES, wgsl::TRIANGLE_FORCES, wgsl::GATHER, wgsl::INTEGRATE]);
+        parts.extend([wgsl::FOLD_ANGLES, wgsl::TRIANGLE_FORCES, wgsl::CLOCK, wgsl::GATHER, wgsl::MOTION]);
         parts
     },
     uses: WHOLE_SHEET,

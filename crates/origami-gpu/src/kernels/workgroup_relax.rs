@@ -12,7 +12,15 @@ pub(crate) const KERNEL: Kernel = Kernel {
     shared: SHARED,
     parts: |variant| {
         let mut parts = springs(variant);
-        let passes = [wgsl::FOLD_ANGLES, wgsl::TRIANGLE_FORCES, wgsl::ROW_SUMS, wgsl::GATHER, wgsl::REDUCE, wgsl::FIRE];
+        let passes = [
+            wgsl::FOLD_ANGLES,
+            wgsl::TRIANGLE_FORCES,
+            wgsl::CLOCK,
+            wgsl::ROW_SUMS,
+            wgsl::GATHER,
+            wgsl::REDUCE,
+            wgsl::FIRE,
+        ];
         parts.extend(passes);
         parts
     },

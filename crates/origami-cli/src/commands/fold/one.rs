@@ -1,12 +1,13 @@
 //! One input: read, build, solve, write.
 
 use std::ops::ControlFlow;
+use std::time::Instant;
 
 use origami::error::WarningCode;
 use origami::export::Template;
 use origami::measure::attitude;
 use origami::model::Model;
-use origami::solve::{Failed, Folded, Progress, Stop, crushed_triangles, fold_path};
+use origami::solve::{Failed, Folded, Progress, Stop, crushed_triangles, fold_path_from};
 use origami::{CreasePattern, Error, Warning, measure};
 
 use super::summary::{self, Told};
@@ -94,10 +95,19 @@ fn attempt(
     told.warnings.extend(warnings.iter().cloned().chain(computer.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
     let scene = SceneFacts::new(&pattern, &model, &computer.solver.inventory(&model), &warnings);
+    let start = match settings.start(&model) {
+        Ok(start) => start,
+        Err(failed) => return Ok(refused(input, &format!("--from-flat: {failed}"), told)),
+    };
+    let end = settings.max_time.and_then(|time| Instant::now().checked_add(time));
     let mut path = |percents: &[f64], before: usize| {
-        fold_path(&model, computer.solver.as_ref(), percents, &mut |stage, progress| {
+        fold_path_from(&model, computer.solver.as_ref(), &start, percents, &mut |stage, progress| {
             observe(Seen::Stage(before + stage, progress));
-            ControlFlow::Continue(())
+            if end.is_some_and(|end| Instant::now() >= end) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
         })
     };
     // What stands beside a contact sheet is folded as if that were not asked for.
@@ -110,7 +120,9 @@ fn attempt(
     let mut run = Run {
         input: input.to_string(),
         solver: settings.solver_name.name(),
+        from: settings.start_name(),
         backend: if on_gpu { "gpu" } else { "cpu" },
+        backend_by: computer.by,
         adapter: computer.adapter,
         precision: settings.precisions[usize::from(on_gpu)],
         scene,
@@ -126,10 +138,7 @@ fn attempt(
         Ok(solved) => solved,
         Err(failed) => {
             let Failed::Diverged(diverged) = &failed.failed else {
-                told.errors.push(format!("{input}: {failed}"));
-                let error = failed.to_string();
-                let report = Report::Refused { input: input.to_string(), error, outputs: Vec::new() };
-                return Ok((Exit::BadInput, Some(report)));
+                return Ok(refused(input, &failed.to_string(), told));
             };
             run.measured = Measured {
                 percent: failed.percent,
@@ -209,10 +218,17 @@ fn attempt(
     Ok((exit, Some(Report::Folded(Box::new(run)))))
 }
 
+/// What is told of an input that cannot be folded as it was asked.
+fn refused(input: &Input, error: &str, told: &mut Told) -> (Exit, Option<Report>) {
+    told.errors.push(format!("{input}: {error}"));
+    let report = Report::Refused { input: input.to_string(), error: error.to_owned(), outputs: Vec::new() };
+    (Exit::BadInput, Some(report))
+}
+
 /// The first state that is not what was asked for.
 fn unfinished<'a>(states: &'a [Folded], stages: Option<&'a [Folded]>) -> Option<&'a Folded> {
     let mut all = states.iter().chain(stages.into_iter().flatten());
-    all.find(|folded| matches!(folded.stop, Stop::StepLimit | Stop::Crushed))
+    all.find(|folded| matches!(folded.stop, Stop::StepLimit | Stop::Cancelled | Stop::Crushed))
 }
 
 /// Places of vertices that all states of an input may have together: some gigabytes.

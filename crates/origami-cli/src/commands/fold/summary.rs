@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use origami::Warning;
-use origami::solve::Folded;
+use origami::solve::{Folded, Stop};
 
 use crate::args::SolverName;
 use crate::files::Input;
@@ -35,11 +35,17 @@ pub(super) fn line(run: &Run) -> String {
     if let Some(frames) = &run.frames {
         line += &format!(" in {}", count(frames.len(), "frame", "frames"));
     }
-    line += &format!(" in {} steps, ", grouped(measured.steps));
+    if run.solver == SolverName::Reflect.name() {
+        line += " by reflection, ";
+    } else {
+        let from = if run.from == "flat" { " from the flat-folded state" } else { "" };
+        line += &format!("{from} in {} steps, ", grouped(measured.steps));
+    }
     line += match measured.stop {
+        Ending::Converged if run.solver == SolverName::Reflect.name() => "exact",
         Ending::Converged => "converged",
         Ending::StepsDone => "as many as asked",
-        Ending::StepLimit | Ending::Crushed | Ending::Failed | Ending::Diverged => "not converged",
+        Ending::StepLimit | Ending::TimeLimit | Ending::Crushed | Ending::Failed | Ending::Diverged => "not converged",
     };
     line += &match measured.distance {
         Some(distance) if distance.is_finite() => format!(" (distance {} of the radius)", short(distance)),
@@ -62,7 +68,7 @@ pub(super) fn line(run: &Run) -> String {
     line + &format!(", {}", duration(Duration::from_secs_f64(total)))
 }
 
-/// The step limit came first, or a triangle was crushed, which more steps do not mend.
+/// The step limit or that of time came first, or a triangle was crushed, which more steps do not mend.
 pub(super) fn not_converged(
     input: &Input,
     folded: &Folded,
@@ -74,6 +80,14 @@ pub(super) fn not_converged(
         return format!(
             "{input}: not converged at {} % after {} steps: a triangle is crushed to a line, where forces have no rest; the \
              output says so",
+            plain(percent_of(folded)),
+            grouped(folded.steps),
+        );
+    }
+    if folded.stop == Stop::Cancelled {
+        return format!(
+            "{input}: not converged at {} % after {} steps, when its time was over; the output says so; more --max-seconds or \
+             a larger --tolerance may help",
             plain(percent_of(folded)),
             grouped(folded.steps),
         );

@@ -5,14 +5,29 @@ use std::path::{Path, PathBuf};
 
 use origami::Error;
 
+use crate::args::Shard;
 use crate::files::{Format, Input, is_same_file};
 
-/// The two tables.
-const CSV: &str = "sweep.csv";
-const JSON: &str = "sweep.json";
+/// What the two tables are called.
+const NAME: &str = "sweep";
+
+/// Between the number of a part and that of all.
+const OF: &str = "-of-";
 
 /// Digits of a sheet's number; more where there are more sheets.
 const DIGITS: usize = 4;
+
+/// Whether this is what the table of a part is called, as JSON.
+pub(super) fn is_of_part(name: &str) -> bool {
+    let number = name.strip_prefix(NAME).and_then(|name| name.strip_prefix('.')?.strip_suffix(".json"));
+    let is_count = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    number.and_then(|number| number.split_once(OF)).is_some_and(|(i, n)| is_count(i) && is_count(n))
+}
+
+/// The tables of a whole sweep in this folder: CSV, then JSON.
+pub(super) fn tables(path: &Path) -> [PathBuf; 2] {
+    ["csv", "json"].map(|extension| path.join(format!("{NAME}.{extension}")))
+}
 
 /// Where everything goes.
 pub(super) struct Folder<'a> {
@@ -20,14 +35,21 @@ pub(super) struct Folder<'a> {
     /// Of the folded sheets.
     pub(super) formats: Vec<Format>,
     digits: usize,
+    shard: Option<Shard>,
 }
 
 impl<'a> Folder<'a> {
-    /// For `count` sheets of `input`.
+    /// For `count` sheets of `input`, or for a part of them.
     ///
     /// # Errors
     /// What cannot be written, or would replace the input.
-    pub(super) fn new(path: &'a Path, formats: &[Format], count: usize, input: &Input) -> Result<Self, String> {
+    pub(super) fn new(
+        path: &'a Path,
+        formats: &[Format],
+        count: usize,
+        shard: Option<Shard>,
+        input: &Input,
+    ) -> Result<Self, String> {
         let shown = path.display();
         if path.as_os_str() == "-" || (path.exists() && !path.is_dir()) {
             return Err(format!("{shown}: is no folder; expected one, or a path where one can be made"));
@@ -40,7 +62,7 @@ impl<'a> Folder<'a> {
             own.push(*format);
         }
         let digits = count.saturating_sub(1).to_string().len().max(DIGITS);
-        let folder = Self { path, formats: own, digits };
+        let folder = Self { path, formats: own, digits, shard };
         for file in fs::read_dir(path).into_iter().flatten().flatten().map(|entry| entry.path()) {
             folder.refuse_replacing(&file, count, input)?;
         }
@@ -77,11 +99,22 @@ impl<'a> Folder<'a> {
     }
 
     pub(super) fn csv(&self) -> PathBuf {
-        self.path.join(CSV)
+        self.table("csv")
     }
 
     pub(super) fn json(&self) -> PathBuf {
-        self.path.join(JSON)
+        self.table("json")
+    }
+
+    /// Of a part it has a name of its own, so that all can go to one folder.
+    fn table(&self, extension: &str) -> PathBuf {
+        self.path.join(match self.shard {
+            None => format!("{NAME}.{extension}"),
+            Some(shard) => {
+                let digits = shard.of.to_string().len();
+                format!("{NAME}.{:0digits$}{OF}{}.{extension}", shard.number, shard.of)
+            }
+        })
     }
 
     /// The file of sheet `index`.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Seek, SeekFrom, Write};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -23,7 +24,8 @@ pub(super) struct Ledger {
     waiting: BTreeMap<usize, Row>,
     /// How many rows the files have.
     written: usize,
-    /// How many there are to be.
+    /// The place of the first row, and how many there are to be.
+    first: usize,
     count: usize,
     begun: Instant,
     spent: Duration,
@@ -33,7 +35,7 @@ pub(super) struct Ledger {
 }
 
 impl Ledger {
-    /// Replaces both tables by new ones that have `rows`, of so many to be.
+    /// Replaces both tables by new ones that have `rows`, the first of those to be.
     ///
     /// # Errors
     /// [`Error::Io`] where the system refuses.
@@ -41,7 +43,7 @@ impl Ledger {
         paths: [PathBuf; 2],
         head: &Head,
         rows: Vec<Row>,
-        count: usize,
+        places: Range<usize>,
         seconds: Seconds,
     ) -> Result<Self, Error> {
         let [csv, json] = paths;
@@ -54,7 +56,8 @@ impl Ledger {
             rows,
             waiting: BTreeMap::new(),
             written: 0,
-            count,
+            first: places.start,
+            count: places.len(),
             begun: Instant::now(),
             spent: Duration::ZERO,
             scenes: Vec::new(),
@@ -70,7 +73,7 @@ impl Ledger {
     /// [`Error::Io`] where the system refuses; the files then have the rows that they had.
     pub(super) fn push(&mut self, row: Row) -> Result<(), Error> {
         self.waiting.insert(row.index, row);
-        while let Some(row) = self.waiting.remove(&self.rows.len()) {
+        while let Some(row) = self.waiting.remove(&(self.first + self.rows.len())) {
             self.rows.push(row);
         }
         let is_due = self.spent * SHARE <= self.begun.elapsed();
@@ -86,7 +89,7 @@ impl Ledger {
         let tail = Tail { complete: self.rows.len() == self.count, scenes: &self.scenes, seconds: self.seconds };
         let mut lines = String::new();
         let mut rows = String::new();
-        let mut make = || {
+        let make = || {
             for (i, row) in self.rows.iter().enumerate().skip(self.written) {
                 lines += &csv_line(row)?;
                 rows += &json_row(row, i == 0)?;
@@ -179,7 +182,7 @@ mod tests {
             assert_eq!(csv.lines().count() - 1, json["instances"].as_array().expect("rows").len());
             (csv.lines().count() - 1, json["complete"].as_bool().expect("complete"))
         };
-        let mut ledger = Ledger::begin(paths.clone(), &head(), Vec::new(), 3, Seconds::default()).expect("begun");
+        let mut ledger = Ledger::begin(paths.clone(), &head(), Vec::new(), 0..3, Seconds::default()).expect("begun");
         assert_eq!(seen(), (0, false));
         ledger.push(row(1, Ending::Converged)).and_then(|()| ledger.flush()).expect("taken");
         assert_eq!(seen(), (0, false), "the first is missing");

@@ -4,6 +4,7 @@ mod batch;
 mod fingerprint;
 mod folder;
 mod ledger;
+mod merge;
 mod resume;
 mod shares;
 mod summary;
@@ -16,8 +17,7 @@ use origami::export::Template;
 use origami::solve::Sweep;
 use origami::{CreasePattern, Error, Material, Model};
 
-use crate::args::PictureArgs;
-use crate::args::SweepArgs;
+use crate::args::{PictureArgs, Shard, SweepArgs};
 use crate::backend::Computer;
 use crate::console;
 use crate::draw::{self, Style};
@@ -37,6 +37,8 @@ use folder::Folder;
 use ledger::Ledger;
 use summary::Counts;
 
+pub(super) use merge::run as merge;
+
 /// Folds all sheets and writes the tables.
 pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     // The perturbation comes with the instances.
@@ -46,7 +48,8 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let style = args.folded.iter().any(|format| format.is_drawn()).then(|| Style::new(&PictureArgs::default()));
     let style = style.transpose()?;
     let input = Input::new(&args.input, &Reading::new(&args.reading)?);
-    let folder = Folder::new(&args.output, &args.folded, count, &input)?;
+    let places = args.shard.map_or(0..count, |shard| shard.rows(count));
+    let folder = Folder::new(&args.output, &args.folded, count, args.shard, &input)?;
     files::refuse_unwritable([folder.csv(), folder.json()].iter().map(|path| path.as_path()))?;
     files::tidy([folder.csv().as_path()]);
     if !args.quiet {
@@ -65,19 +68,19 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
         check_drawable(args, style, &pattern).map_err(told)?;
     }
     // A GPU is filled by all sheets together.
-    let computer = backend.choose(&method, pattern.vertices.len().saturating_mul(count));
+    let computer = backend.choose(&method, pattern.vertices.len().saturating_mul(places.len()));
     if !args.quiet {
         pattern.warnings.iter().chain(&computer.warning).for_each(console::warning);
     }
     let head = head(args, &input, &pattern, &sweep, count, &computer);
-    let rows = if args.resume { resume::rows(&folder.json(), &head)? } else { Vec::new() };
+    let rows = if args.resume { resume::rows(&folder.json(), &head, places.clone())? } else { Vec::new() };
     let taken = rows.len();
     if args.resume && !args.quiet {
-        console::say(&resumed(taken, count));
+        console::say(&resumed(taken, places.len()));
     }
     seconds.build = watch.lap();
 
-    let line = ProgressLine::of_sheets(count, args.quiet);
+    let line = ProgressLine::of_sheets(places.len(), args.quiet);
     let work = Work {
         template: &template,
         pattern: &pattern,
@@ -93,12 +96,12 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let pool = pool.map_err(|error| format!("cannot start threads: {error}"))?;
     let begin = || {
         folder.make()?;
-        Ledger::begin([folder.csv(), folder.json()], &head, rows, count, seconds)
+        Ledger::begin([folder.csv(), folder.json()], &head, rows, places.clone(), seconds)
     };
     let mut ledger = None;
-    let done = pool.install(|| work.run(count, taken, begin, &mut ledger));
+    let done = pool.install(|| work.run(places.clone(), taken, begin, &mut ledger));
     line.finish();
-    let known = done.map_err(|error| broken_off(&input, &error, ledger.as_ref(), count))?;
+    let known = done.map_err(|error| broken_off(&input, &error, ledger.as_ref(), places.len()))?;
     if !args.quiet {
         known.scene_warnings.iter().chain(work.told.get()).for_each(console::warning);
     }
@@ -110,7 +113,15 @@ pub(super) fn run(args: &SweepArgs) -> Result<Exit, Failure> {
     let divergence = known.first_divergence.as_ref().map(|(index, message)| (*index, message.as_str()));
     counts.complaints(&table, divergence, advice).iter().for_each(|error| console::error(error));
     if !args.quiet {
-        console::print_text(&format!("{}\n", plain(&counts.line(&table))))?;
+        let head = &table.head;
+        let what = match args.shard {
+            Some(Shard { number, of }) => format!("{}, part {number} of {of}", head.input),
+            None => head.input.clone(),
+        };
+        let software =
+            head.adapter.as_ref().filter(|adapter| adapter.is_software()).map(|adapter| adapter.name.as_str());
+        let line = counts.line(&what, &table.instances, software, table.seconds);
+        console::print_text(&format!("{}\n", plain(&line)))?;
     }
     Ok(counts.exit())
 }
@@ -151,11 +162,13 @@ fn head(
         time_step: solving.time_step_name(),
         integrator: solving.integrator_name(),
         folded: args.folded.iter().map(|format| format.extension()).collect(),
+        shard: args.shard,
     };
     Head {
         input: input.to_string(),
         solver: solving.solver.name(),
         backend: if computer.adapter.is_some() { "gpu" } else { "cpu" },
+        backend_by: computer.by,
         precision: solving.precision_name(computer.adapter.is_some()),
         adapter: computer.adapter.clone(),
         tolerance: solving.tolerance,

@@ -1,5 +1,6 @@
 //! The rows of a sweep that ended early, for one that goes on.
 
+use std::ops::Range;
 use std::path::Path;
 
 use serde_json::Value;
@@ -9,12 +10,12 @@ use crate::report::{Head, Row};
 /// Characters of a setting that a message shows.
 const SHOWN: usize = 60;
 
-/// The rows of the table at `path` from the first on, as far as the files that they name are there; none where there is no
+/// The rows of the table at `path`, which is to have those of `places`, from the first on, as far as the files that they name are there; none where there is no
 /// table.
 ///
 /// # Errors
 /// That it is no table of ours, or was made with other settings.
-pub(super) fn rows(path: &Path, head: &Head) -> Result<Vec<Row>, String> {
+pub(super) fn rows(path: &Path, head: &Head, places: Range<usize>) -> Result<Vec<Row>, String> {
     let shown = path.display();
     let bytes = match std::fs::read(path) {
         Ok(bytes) => bytes,
@@ -32,10 +33,10 @@ pub(super) fn rows(path: &Path, head: &Head) -> Result<Vec<Row>, String> {
     let instances =
         table.get("instances").and_then(Value::as_array).ok_or(format!("{shown}: has no rows; {expected}"))?;
     let mut rows = Vec::with_capacity(instances.len());
-    for (i, instance) in instances.iter().take(head.settings.count).enumerate() {
+    for (i, instance) in instances.iter().take(places.len()).enumerate() {
         let row: Row = serde_json::from_value(instance.clone())
             .map_err(|error| format!("{shown}: instances[{i}]: {error}; {expected}"))?;
-        if row.index != i {
+        if row.index != places.start + i {
             return Err(format!("{shown}: instances[{i}]: is row {}; {expected}", row.index));
         }
         if !row.outputs.iter().all(|output| Path::new(output).is_file()) {
@@ -46,11 +47,12 @@ pub(super) fn rows(path: &Path, head: &Head) -> Result<Vec<Row>, String> {
     Ok(rows)
 }
 
-/// The first setting that is not the same, with both values. The input may have another name.
+/// The first setting that is not the same, with both values. The input may have another name, and what computes may have been
+/// chosen in another way.
 fn difference(table: &Value, now: &Value) -> Option<(String, String, String)> {
     let settings = |value: &Value| value.get("settings").and_then(Value::as_object).cloned().unwrap_or_default();
     let top = now.as_object().cloned().unwrap_or_default();
-    let top = top.into_iter().filter(|(key, _)| key != "input" && key != "settings");
+    let top = top.into_iter().filter(|(key, _)| !["input", "settings", "backend_by"].contains(&key.as_str()));
     let before = settings(table);
     let of_top = top.map(|(key, value)| (table.get(&key).cloned(), key, value));
     let of_settings = settings(now).into_iter().map(|(key, value)| (before.get(&key).cloned(), key, value));

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::exit::Exit;
 use crate::numbers::{count, duration, grouped, plain, share, short};
-use crate::report::{Ending, Row, Table};
+use crate::report::{Ending, Row, Seconds, Table};
 
 /// How many sheets ended in each way.
 pub(super) struct Counts {
@@ -40,8 +40,10 @@ impl Counts {
     }
 
     /// Such as `bird.fold: 63 sheets, 62 converged, 1 diverged, strain mean 0.0012 % to 1.4 %, 120 ms`.
-    pub(super) fn line(&self, table: &Table) -> String {
-        let mut line = format!("{}: {}", table.head.input, count(table.instances.len(), "sheet", "sheets"));
+    ///
+    /// `what` is what the sheets are of, `software` the adapter on which they were folded where it is none of hardware.
+    pub(super) fn line(&self, what: &str, rows: &[Row], software: Option<&str>, seconds: Seconds) -> String {
+        let mut line = format!("{what}: {}", count(rows.len(), "sheet", "sheets"));
         let endings = [
             (self.converged, "converged"),
             (self.steps_done, "with the asked number of steps"),
@@ -53,14 +55,13 @@ impl Counts {
         for (number, ending) in endings.iter().filter(|(number, _)| *number > 0) {
             line += &format!(", {} {ending}", grouped(*number as u64));
         }
-        let strains = || table.instances.iter().filter_map(|row| Some(row.measured.strain?.mean));
+        let strains = || rows.iter().filter_map(|row| Some(row.measured.strain?.mean));
         if let (Some(least), Some(most)) = (strains().reduce(f64::min), strains().reduce(f64::max)) {
             line += &format!(", strain mean {} to {}", share(least), share(most));
         }
-        if let Some(adapter) = table.head.adapter.as_ref().filter(|adapter| adapter.is_software()) {
-            line += &format!(", on {} (software)", adapter.name);
+        if let Some(adapter) = software {
+            line += &format!(", on {adapter} (software)");
         }
-        let seconds = table.seconds;
         let total = seconds.read + seconds.build + seconds.solve + seconds.write;
         line + &format!(", {}", duration(Duration::from_secs_f64(total)))
     }
@@ -115,7 +116,6 @@ impl Counts {
 mod tests {
     use super::*;
     use crate::commands::sweep::testing;
-    use crate::report::Seconds;
 
     /// A table of sheets that ended so.
     fn table(endings: &[Ending]) -> Table {
@@ -141,7 +141,7 @@ mod tests {
         let counts = Counts::of(&table.instances);
         let line = "a.fold: 6 sheets, 1 converged, 1 with the asked number of steps, 1 not converged, 1 with a triangle crushed, \
                     1 diverged, 1 failed, 0 ms";
-        assert_eq!(counts.line(&table), line);
+        assert_eq!(counts.line("a.fold", &table.instances, None, table.seconds), line);
         let complaints = counts.complaints(&table, Some((4, "diverged at step 3")), "try less");
         let expected = [
             "a.fold: 1 of 6 failed; the first is 5 at 50 %: the adapter was lost",

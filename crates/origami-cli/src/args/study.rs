@@ -16,7 +16,7 @@ Examples:
   origami study accuracy crane.fold miura -o out           Of one's own and a generated pattern
   origami study accuracy --backend gpu -o out              On a GPU too
   origami study stability -o out                           What holds on stiff and extreme scenes
-  origami study flat *.fold -o out                         Which fold flat, how near and at what cost
+  origami study flat *.fold -o out                         Which fold flat, and how near
 
 Exit codes:
   0  done; what a solver did not hold is a row of the tables, not an error

@@ -120,7 +120,7 @@ impl Varied {
 }
 
 /// The columns of sweep.csv: where a row of the JSON has them. Numbers and words of our own, which need no quotes.
-const COLUMNS: [&str; 31] = [
+const COLUMNS: [&str; 32] = [
     "index",
     "ea",
     "k_fold",
@@ -134,6 +134,7 @@ const COLUMNS: [&str; 31] = [
     "stop",
     "steps",
     "attempts",
+    "saddles",
     "residual",
     "distance",
     "strain/mean",

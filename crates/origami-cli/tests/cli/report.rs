@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 34] = [
+const KEYS: [&str; 35] = [
     "input",
     "solver",
     "from",
@@ -28,6 +28,7 @@ const KEYS: [&str; 34] = [
     "converged",
     "stop",
     "attempts",
+    "saddles",
     "attitude",
     "residual",
     "distance",

@@ -66,7 +66,12 @@ fn step(c: &mut Criterion) {
             let solver = place.gpu.with(dynamics(gpu_steps)).dispatch(dispatch);
             bench_session(&mut group, BenchmarkId::new(name, nodes), nodes, solver.session(&model), &start);
         }
-        let paper = PaperDynamics { gpu: place.gpu.clone(), time_step: TimeStep::Paper, steps: gpu_steps };
+        let paper = PaperDynamics {
+            gpu: place.gpu.clone(),
+            time_step: TimeStep::Paper,
+            steps: gpu_steps,
+            read_every: PaperDynamics::READ_EVERY,
+        };
         // One run tells whether its lists, longer than ours, fit into the adapter's buffers.
         match (PaperDynamics { steps: 0, ..paper.clone() }).fold(&model, &start, &Scene::percent(60.0), &mut unwatched)
         {

@@ -34,6 +34,8 @@ const HELD: f64 = 1e-11;
 
 const STEPS: u64 = 300;
 
+const WAYS: &[Dispatch] = Dispatch::WAYS;
+
 fn built(pattern: &CreasePattern, material: Material) -> Model {
     Model::new(pattern, &material).expect("a model")
 }
@@ -162,14 +164,17 @@ fn apart(a: &State, b: &State) -> f64 {
 }
 
 /// Ways to step through time. The paper's step does not hold on every sheet: where it does not, the safe one is taken.
-fn ways() -> [(Dynamics, Dispatch); 4] {
+fn ways() -> [(Dynamics, Dispatch); 7] {
     let (steps, plain) = (Some(STEPS), Dynamics::default());
     let (safe, verlet) = (TimeStep::Safe, Integrator::Verlet);
     [
         (Dynamics { steps, ..plain.clone() }, Dispatch::Passes),
         (Dynamics { steps, time_step: safe, ramp: 90, ..plain.clone() }, Dispatch::Workgroup),
         (Dynamics { steps, time_step: safe, integrator: verlet, ..plain.clone() }, Dispatch::Passes),
-        (Dynamics { steps, time_step: safe, integrator: verlet, ramp: 130, ..plain }, Dispatch::Workgroup),
+        (Dynamics { steps, time_step: safe, integrator: verlet, ramp: 130, ..plain.clone() }, Dispatch::Workgroup),
+        (Dynamics { steps, ..plain.clone() }, Dispatch::Blocks),
+        (Dynamics { steps, time_step: safe, ramp: 90, ..plain.clone() }, Dispatch::Blocks),
+        (Dynamics { steps, time_step: safe, integrator: verlet, ramp: 130, ..plain }, Dispatch::Blocks),
     ]
 }
 
@@ -227,7 +232,7 @@ fn trajectories_that_differ_a_little_are_told_apart() {
 fn dynamics_settles_when_the_processor_does() {
     let Some(gpu) = gpu() else { return };
     let model = sheet("k_face 0");
-    for (ramp, dispatch) in [(0, Dispatch::Workgroup), (50, Dispatch::Passes)] {
+    for (ramp, dispatch) in [(0, Dispatch::Workgroup), (50, Dispatch::Passes), (50, Dispatch::Blocks)] {
         let method = Dynamics { time_step: TimeStep::Safe, tolerance: 1e-3, ramp, ..Dynamics::default() };
         let (theirs, ours) =
             (folded(&method, &model, 40.0), folded(&gpu.with(method.clone()).dispatch(dispatch), &model, 40.0));
@@ -247,6 +252,9 @@ fn equilibria_are_those_of_the_processor() {
         let dispatch = if i % 3 == 0 { Dispatch::Passes } else { Dispatch::Workgroup };
         let theirs = folded(&method, &model, 50.0);
         let ours = folded(&gpu.with(method).dispatch(dispatch), &model, 50.0);
+        let blocks = folded(&gpu.with(Relax::default()).dispatch(Dispatch::Blocks), &model, 50.0);
+        let other = apart(&blocks.state, &theirs.state);
+        assert!(blocks.stop == theirs.stop && other < EQUILIBRIUM, "{name}, by blocks: {other} radii apart");
         let far = apart(&ours.state, &theirs.state);
         let energies = [&ours, &theirs].map(|folded| folded.state.energy(&model).total());
         let released = State { targets: model.targets(50.0), ..start(&model) }.energy(&model).total();
@@ -265,7 +273,7 @@ fn equilibria_are_those_of_the_processor() {
 #[test]
 fn evaluations_are_those_of_the_processor_at_first() {
     let Some(gpu) = gpu() else { return };
-    for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
+    for dispatch in WAYS.iter().copied() {
         // Past two renewals of the masses, on the ramp and beyond.
         let method = Relax { steps: Some(150), ramp: Some(80), ..Relax::default() };
         let model = sheet("bird base");
@@ -300,7 +308,7 @@ fn a_path_in_one_session_is_the_same_as_stage_by_stage() {
 fn two_runs_give_the_same_bits() {
     let Some(gpu) = gpu() else { return };
     let model = sheet("miura");
-    for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
+    for dispatch in WAYS.iter().copied() {
         let relax = gpu.with(Relax::default()).dispatch(dispatch);
         let dynamics = gpu.with(Dynamics { steps: Some(200), ..Dynamics::default() }).dispatch(dispatch);
         for solver in [&relax as &dyn Solver, &dynamics] {
@@ -342,7 +350,7 @@ fn steps_that_are_too_long_diverge_as_on_the_processor() {
     let Some(gpu) = gpu() else { return };
     let model = sheet("miura");
     for (integrator, step) in [(Integrator::Euler, 0.25), (Integrator::Euler, 5.0), (Integrator::Verlet, 0.3)] {
-        for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
+        for dispatch in WAYS.iter().copied() {
             let method = Dynamics { integrator, time_step: TimeStep::Fixed(step), ..Dynamics::default() };
             let (theirs, ours) = (diverged(&method, &model), diverged(&gpu.with(method).dispatch(dispatch), &model));
             println!("{integrator:?}, {step}: {ours} and {theirs}");
@@ -359,7 +367,7 @@ fn steps_that_are_too_long_diverge_as_on_the_processor() {
 fn a_step_that_is_no_number_is_found_at_once() {
     let Some(gpu) = gpu() else { return };
     let model = sheet("miura");
-    for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
+    for dispatch in WAYS.iter().copied() {
         let method = Dynamics { time_step: TimeStep::Fixed(f64::NAN), ..Dynamics::default() };
         let ours = diverged(&gpu.with(method).dispatch(dispatch), &model);
         assert!(ours.step == 1 && ours.value.is_nan(), "{ours}");
@@ -409,7 +417,7 @@ fn ensembles_are_what_their_sheets_are_alone() {
     let instances = instances(&models);
     let dynamics = Dynamics { steps: Some(100), time_step: TimeStep::Safe, ramp: 40, ..Dynamics::default() };
     let relax = Relax { steps: Some(100), ramp: Some(40), ..Relax::default() };
-    for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
+    for dispatch in WAYS.iter().copied() {
         same_as_alone(&gpu, &dynamics, dispatch, &instances);
         same_as_alone(&gpu, &relax, dispatch, &instances);
     }
@@ -449,7 +457,7 @@ fn one_that_diverges_does_not_disturb_the_others() {
     let instances = instances(&models);
     let step = origami::solve::time_step::paper(&models[0]);
     let method = Dynamics { time_step: TimeStep::Fixed(step), steps: Some(250), ..Dynamics::default() };
-    for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
+    for dispatch in WAYS.iter().copied() {
         let ours = gpu.with(method.clone()).dispatch(dispatch).fold_all(&instances, &|_, _| ControlFlow::Continue(()));
         let theirs = method.fold_all(&instances, &|_, _| ControlFlow::Continue(()));
         for place in [0, 2] {
@@ -469,7 +477,7 @@ fn nothing_at_all_is_no_mistake() {
     let Some(gpu) = gpu() else { return };
     let model = sheet("miura");
     assert!(gpu.with(Relax::default()).fold_all(&[], &|_, _| ControlFlow::Continue(())).is_empty());
-    for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
+    for dispatch in WAYS.iter().copied() {
         let none = gpu.with(Dynamics { steps: Some(0), integrator: Integrator::Verlet, ..Dynamics::default() });
         let folded = folded(&none.dispatch(dispatch), &model, 50.0);
         assert_eq!(folded.steps, 0);
@@ -493,4 +501,7 @@ fn the_report_tells_what_was_built() {
     let (built, left_out) = names(&sheet("k_face 0"), Dispatch::Workgroup);
     assert!(built.contains("passes in one workgroup"), "{built}");
     assert!(left_out.contains("corner angles") && left_out.contains("damping"), "{left_out}");
+    let (built, left_out) = names(&sheet("loose beams"), Dispatch::Blocks);
+    assert!(built.contains("blocks of nodes") && built.contains("loose beams in blocks"), "{built}");
+    assert!(!left_out.contains("loose beams"), "{left_out}");
 }

@@ -64,7 +64,7 @@ fn supports_and_loads_act_as_on_the_processor() {
     let Some(gpu) = gpu() else { return };
     let model = made("miura");
     let scene = hung(&model);
-    for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
+    for dispatch in [Dispatch::Passes, Dispatch::Workgroup, Dispatch::Blocks] {
         for integrator in [Integrator::Euler, Integrator::Verlet] {
             let method = Dynamics { steps: Some(200), ..dynamics(integrator) };
             let (ours, theirs) =
@@ -125,7 +125,7 @@ fn scenes_of_an_ensemble_have_loads_and_supports_of_their_own() {
     let instances: Vec<Instance<'_>> =
         scenes.iter().map(|scene| Instance { model: &model, start: start.clone(), scene: scene.clone() }).collect();
     let method = Dynamics { steps: Some(100), ..dynamics(Integrator::Euler) };
-    for dispatch in [Dispatch::Passes, Dispatch::Workgroup] {
+    for dispatch in [Dispatch::Passes, Dispatch::Workgroup, Dispatch::Blocks] {
         let solver = gpu.with(method.clone()).dispatch(dispatch);
         let all = solver.fold_all(&instances, &|_, _| ControlFlow::Continue(()));
         let states: Vec<State> = all.into_iter().map(|folded| folded.expect("it holds").state).collect();

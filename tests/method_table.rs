@@ -87,7 +87,9 @@ fn each_formula_has_a_plain_form_a_kernel_and_a_test() {
 fn each_pass_is_in_a_table() {
     let method = method();
     let named: BTreeSet<String> = rows(section(&method)).flat_map(links).map(|link| link.path).collect();
-    let of_several = ["workgroup_dynamics", "workgroup_relax", "mod"];
+    // Those that do what several others do, and those that only keep the time or copy.
+    let blocks = ["block_forces", "block_dynamics", "block_relax", "block_clock", "bring_home"];
+    let of_several = [&["workgroup_dynamics", "workgroup_relax", "mod"], &blocks[..]].concat();
     let mut passes = 0;
     for (rust, shaders) in [("kernels", ""), ("paper", "paper/")] {
         let folder = Path::new(DOCS).join("../crates/origami-gpu/src").join(rust);
@@ -99,9 +101,13 @@ fn each_pass_is_in_a_table() {
                 continue;
             }
             passes += 1;
-            // Those of FIRE are one part of several kernels.
-            let fire = ["reduce_forces", "fire_move"].contains(&stem);
-            let shader = if fire { "fire" } else { stem };
+            // These are parts of several kernels.
+            let shader = match stem {
+                "reduce_forces" | "fire_move" => "fire",
+                "integrate" if shaders.is_empty() => "motion",
+                "loose_beams" => "loose_beam",
+                _ => stem,
+            };
             let wanted = format!("../shaders/src/{shaders}{shader}.wgsl");
             assert!(named.contains(&wanted), "{wanted} is in no table");
         }

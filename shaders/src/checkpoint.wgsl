@@ -19,7 +19,7 @@ fn checkpoint(@builtin(global_invocation_id) id: vec3<u32>) {
         checkpoint_nodes[instance * NODES + id.x] = nodes[instance * NODES + id.x];
     }
     if (id.x < CREASES) {
-        checkpoint_angles[instance * CREASES + id.x] = angle_before(instance, id.x);
+        checkpoint_angles[instance * CREASES + id.x] = angle_of_crease(instance * CREASES + id.x);
     }
     if (id.x == 0u) {
         control[instance].checkpoint_step = control[instance].step;

@@ -4,8 +4,8 @@
 fn fire_update(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let instance = group.y;
     var own = vec4<f32>(0.0);
-    for (var i = local; i < GROUPS; i += WORKGROUP) {
-        own += partials[instance * GROUPS + i];
+    for (var i = local; i < SUMS; i += WORKGROUP) {
+        own += partials[instance * SUMS + i];
     }
     let sums = workgroup_sum(local, own);
     if (local == 0u && control[instance].stop == RUNNING) {

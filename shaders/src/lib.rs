@@ -105,6 +105,40 @@ shaders! {
     STATE_BOUNDS = "state_bounds.wgsl";
     /// Kernel: copies a good state.
     CHECKPOINT = "checkpoint.wgsl";
+    /// A block: the part of a sheet that one workgroup works on, in its memory.
+    BLOCK = "block.wgsl";
+    /// The lists of the blocks.
+    BLOCK_WORDS = "block_words.wgsl";
+    /// Nodes of a block.
+    BLOCK_NODES = "block_nodes.wgsl";
+    /// Fold angles in blocks.
+    BLOCK_ANGLES = "block_angles.wgsl";
+    /// The state of a block's creases.
+    BLOCK_CREASES = "block_creases.wgsl";
+    /// Corner angles at rest, in a block.
+    BLOCK_CORNERS = "block_corners.wgsl";
+    /// Beams with a rigidity of their own, in a block.
+    BLOCK_RIGIDITY_OWN = "block_rigidity_own.wgsl";
+    /// All springs of a block.
+    BLOCK_SPRINGS = "block_springs.wgsl";
+    /// Row sums in a block.
+    BLOCK_ROW_SUMS = "block_row_sums.wgsl";
+    /// Forces on the nodes, as blocks leave them.
+    BLOCK_GATHER = "block_gather.wgsl";
+    /// Loads on the nodes of blocks.
+    LOADS = "loads.wgsl";
+    /// A scene without them.
+    LOADS_NONE = "loads_none.wgsl";
+    /// Kernel: forces and row sums, by blocks.
+    BLOCK_FORCES = "block_forces.wgsl";
+    /// Kernel: the clock of dynamics by blocks.
+    BLOCK_CLOCK = "block_clock.wgsl";
+    /// Kernel: a step of dynamics, by blocks.
+    BLOCK_DYNAMICS = "block_dynamics.wgsl";
+    /// Kernel: an evaluation of a relaxation, by blocks.
+    BLOCK_RELAX = "block_relax.wgsl";
+    /// Kernel: nodes to where others look for them.
+    BRING_HOME = "bring_home.wgsl";
     /// Kernel: many steps of dynamics by one workgroup.
     WORKGROUP_DYNAMICS = "workgroup_dynamics.wgsl";
     /// Kernel: many evaluations of a relaxation by one workgroup.

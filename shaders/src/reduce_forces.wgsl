@@ -12,6 +12,6 @@ fn reduce_forces(
     }
     let sum = workgroup_sum(local, own);
     if (local == 0u) {
-        partials[group.y * GROUPS + group.x] = sum;
+        partials[group.y * SUMS + group.x] = sum;
     }
 }

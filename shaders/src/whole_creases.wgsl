@@ -10,6 +10,10 @@ struct CreaseState {
 
 @group(0) @binding(2) var<storage, read_write> crease_states: array<CreaseState>;
 
+fn angle_of_crease(crease: u32) -> f32 {
+    return crease_states[crease].angle;
+}
+
 // The fold angle of the evaluation before.
 fn angle_before(instance: u32, c: u32) -> f32 {
     return crease_states[instance * CREASES + c].angle;

@@ -6,9 +6,9 @@ use origami_core::generate::miura;
 use origami_core::{Material, Model};
 
 use crate::kernels::{
-    Kernel, checkpoint, fire_move, fire_update, fold_angles, integrate, loose_beams, reduce_forces, row_sums,
-    safe_time_step, settle_decide, settle_windows, state_bounds, stiffness_max, triangle_forces, workgroup_dynamics,
-    workgroup_relax,
+    Kernel, Per, block_clock, block_dynamics, block_forces, block_relax, bring_home, checkpoint, fire_move,
+    fire_update, fold_angles, integrate, loose_beams, reduce_forces, row_sums, safe_time_step, settle_decide,
+    settle_windows, state_bounds, stiffness_max, triangle_forces, workgroup_dynamics, workgroup_relax,
 };
 use crate::paper::PASSES;
 use crate::shader_checks::{Checked, accesses, checked};
@@ -16,7 +16,7 @@ use crate::sheet_arrays::SheetArrays;
 use crate::testing::variants;
 use crate::variant::{Scheme, Variant};
 
-const KERNELS: [&Kernel; 16] = [
+const KERNELS: [&Kernel; 21] = [
     &fold_angles::KERNEL,
     &triangle_forces::KERNEL,
     &loose_beams::KERNEL,
@@ -33,6 +33,11 @@ const KERNELS: [&Kernel; 16] = [
     &checkpoint::KERNEL,
     &workgroup_dynamics::KERNEL,
     &workgroup_relax::KERNEL,
+    &block_forces::KERNEL,
+    &block_clock::KERNEL,
+    &block_dynamics::KERNEL,
+    &bring_home::KERNEL,
+    &block_relax::KERNEL,
 ];
 
 /// By binding: the buffer's name, the kernels that write it and those that read it.
@@ -95,9 +100,15 @@ fn the_pipeline_has_the_buffers_that_the_table_tells() {
     let variant = Variant::new(&SheetArrays::new(&model), Scheme::Relax, Some(Material::default()));
     // With and without what a sheet may have. One workgroup takes no scene with rigidities: eight buffers are all there is.
     let several = |k: &&&Kernel| !k.name.starts_with("workgroup") && k.springs;
-    let plain = KERNELS.iter().map(|k| (*k, variant.clone()));
-    let rich = KERNELS.iter().filter(several).map(|k| (*k, Variant { rigidities: true, ..variant.clone() }));
-    let there = found(plain.chain(rich).map(|(k, variant)| (k.name, k.entry, checked(k.name, &k.source(&variant)))));
+    let blocks = |k: &&&Kernel| k.per == Per::Block || k.name == "checkpoint";
+    let in_blocks = Variant { blocks: Some(variants::extent()), loads: true, ..variant.clone() };
+    let plain = KERNELS.iter().filter(|k| k.per != Per::Block).map(|k| (*k, variant.clone()));
+    let rich = KERNELS.iter().filter(several).filter(|k| k.per != Per::Block);
+    let rich = rich.map(|k| (*k, Variant { rigidities: true, ..variant.clone() }));
+    let blocks = KERNELS.iter().filter(blocks).map(|k| (*k, in_blocks.clone()));
+    let there = found(
+        plain.chain(rich).chain(blocks).map(|(k, variant)| (k.name, k.entry, checked(k.name, &k.source(&variant)))),
+    );
     let reported = table(&readme(), "The pipeline", &KERNELS.map(|k| k.name));
     assert_same(&reported, &there);
 }

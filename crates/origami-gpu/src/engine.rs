@@ -3,8 +3,8 @@
 use origami_core::Model;
 use origami_core::ids::NodeId;
 use origami_core::model::Material;
-use origami_core::twins::safe_time_step;
 
+use crate::blocks::Copies;
 use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::kernels::{Binding, Kernel, triangle_forces, workgroup_dynamics, workgroup_relax};
@@ -12,12 +12,12 @@ use crate::layout::{Before, Control, CreaseState, Node};
 use crate::outside::Outside;
 use crate::pipeline::{Buffers, Pass, buffer};
 use crate::plan::{CHECK_INTERVAL, Plan};
-use crate::purpose::{Dispatch, Purpose, WORKGROUP_NODES};
+use crate::purpose::Purpose;
+use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
-use crate::variant::{Scheme, Variant};
-
-/// Loop iterations that one dispatch may take: software adapters end every loop at 65 535, silently.
-const MOST_ITERATIONS: usize = 50_000;
+use crate::variant::Variant;
+#[cfg(test)]
+use crate::{purpose::Dispatch, variant::Scheme};
 
 /// The buffers and passes of a sheet, for up to `instances` instances.
 #[derive(Debug)]
@@ -28,18 +28,31 @@ pub(crate) struct Engine {
     pub(crate) instances: usize,
     /// The nodes that may be loaded, in order, and the slot of each for its load.
     pub(crate) load_slots: Vec<(NodeId, u32)>,
-    /// Steps between two runs of `row_sums`.
-    renewal: u64,
+    /// Of a sheet that goes by blocks: the creases as they have them.
+    pub(crate) copies: Option<Copies>,
+    passes: Passes,
+}
+
+/// The passes of a sheet, by when they run.
+#[derive(Debug, Default)]
+struct Passes {
     fold_angles: Vec<Pass>,
     /// The forces of the springs alone: those of a relaxation, and what the stopping rule of dynamics takes.
     spring_forces: Vec<Pass>,
     damped_forces: Vec<Pass>,
     settling: Vec<Pass>,
     row_sums: Vec<Pass>,
-    /// From forces to new positions; of an engine without a plan, all passes of a step.
+    /// From forces to new positions; where these passes compute the forces too, all of a step.
     integration: Vec<Pass>,
     checkpoint: Vec<Pass>,
-    workgroup: Option<Pass>,
+    /// After the last step of a submission.
+    home: Vec<Pass>,
+    /// Whether `integration` needs no forces.
+    alone: bool,
+    /// Steps that it takes at once.
+    stride: u64,
+    /// Steps between two renewals of masses or of the time step; 0 where there are none.
+    renewal: u64,
 }
 
 impl Engine {
@@ -62,96 +75,52 @@ impl Engine {
         purpose: Purpose,
         instances: usize,
     ) -> Result<Self, GpuError> {
-        let mut variant = Variant::new(arrays, purpose.scheme, material);
-        let workgroup = workgroup_variant(arrays, &variant, purpose);
-        if let Some(workgroup) = &workgroup {
-            variant.steps = workgroup.steps;
-        }
+        let plain = Variant::new(arrays, purpose.scheme, material);
+        let route = Route::new(arrays, &plain, purpose, gpu.is_hardware());
+        let variant = route.variant(&plain);
         check_counts(&variant)?;
         gpu.scoped(|| {
-            let buffers = buffers(gpu, arrays, &variant, instances)?;
-            let engine = Self::with_buffers(gpu, variant, workgroup.as_ref(), buffers, instances, purpose.safe);
-            Ok(Self { load_slots: arrays.load_slots.clone(), ..engine })
+            let buffers = buffers(gpu, arrays, &variant, &route, instances)?;
+            let passes = Passes::new(gpu, &variant, &route, &buffers, purpose.safe);
+            let engine = Self::plain(gpu, variant, buffers, Vec::new());
+            let copies = if let Route::Blocks(blocks) = route { Some(blocks.copies) } else { None };
+            Ok(Self { load_slots: arrays.load_slots.clone(), copies, passes, instances, ..engine })
         })?
     }
 
-    /// The buffers of one sheet, without any pass.
+    /// The buffers of one sheet that goes by passes, or by blocks, without any pass.
     #[cfg(test)]
-    pub(crate) fn bare(gpu: &Gpu, model: &Model, scheme: Scheme) -> Result<Self, GpuError> {
+    pub(crate) fn bare(gpu: &Gpu, model: &Model, scheme: Scheme, dispatch: Dispatch) -> Result<Self, GpuError> {
         let arrays = SheetArrays::new(model);
-        let variant = Variant::new(&arrays, scheme, Some(model.material));
-        let buffers = gpu.scoped(|| buffers(gpu, &arrays, &variant, 1))??;
-        Ok(Self::plain(gpu, variant, buffers, Vec::new()))
+        let plain = Variant::new(&arrays, scheme, Some(model.material));
+        let route = Route::new(&arrays, &plain, Purpose { scheme, safe: false, dispatch }, false);
+        let variant = route.variant(&plain);
+        let buffers = gpu.scoped(|| buffers(gpu, &arrays, &variant, &route, 1))??;
+        let copies = if let Route::Blocks(blocks) = route { Some(blocks.copies) } else { None };
+        Ok(Self { copies, ..Self::plain(gpu, variant, buffers, Vec::new()) })
     }
 
     /// One sheet of which a step is `passes` one after the other: no stopping rule, nothing to be renewed.
-    pub(crate) fn plain(gpu: &Gpu, variant: Variant, buffers: Buffers, passes: Vec<Pass>) -> Self {
-        let none = Vec::new;
+    pub(crate) fn plain(gpu: &Gpu, variant: Variant, buffers: Buffers, integration: Vec<Pass>) -> Self {
         Self {
             gpu: gpu.clone(),
-            renewal: CHECK_INTERVAL,
-            fold_angles: none(),
-            spring_forces: none(),
-            damped_forces: none(),
-            settling: none(),
-            row_sums: none(),
-            integration: passes,
-            checkpoint: none(),
-            workgroup: None,
             variant,
             buffers,
             instances: 1,
             load_slots: Vec::new(),
+            copies: None,
+            passes: Passes { integration, stride: 1, ..Passes::default() },
         }
     }
 
-    fn with_buffers(
-        gpu: &Gpu,
-        variant: Variant,
-        workgroup: Option<&Variant>,
-        buffers: Buffers,
-        instances: usize,
-        safe: bool,
-    ) -> Self {
-        let pass =
-            |kernel, variant: &Variant, advances_clock| Pass::new(gpu, kernel, variant, advances_clock, &buffers);
-        let plan = Plan::new(&variant, safe);
-        let passes = |kernels: &[&'static Kernel]| kernels.iter().map(|k| pass(k, &variant, false)).collect();
-        let undamped = variant.undamped();
-        let mut fold_angles: Vec<Pass> = plan.forces.iter().map(|k| pass(k, &undamped, false)).collect();
-        let spring_forces = fold_angles.split_off(1);
-        let dynamics = !variant.relaxing();
-        // A workgroup that takes many steps does without the passes of single steps.
-        let wide = workgroup.is_none();
-        let damped_forces = match dynamics && wide {
-            // The pass over the triangles advances the clock.
-            true => {
-                plan.forces[1..].iter().map(|k| pass(k, &variant, k.name == triangle_forces::KERNEL.name)).collect()
-            }
-            false => Vec::new(),
-        };
-        let settling = passes(plan.settling);
-        let row_sums = if dynamics || wide { passes(plan.row_sums) } else { Vec::new() };
-        let integration = if wide { passes(plan.integration) } else { Vec::new() };
-        let checkpoint = passes(plan.checkpoint);
-        let kernel = if dynamics { &workgroup_dynamics::KERNEL } else { &workgroup_relax::KERNEL };
-        let workgroup = workgroup.map(|variant| pass(kernel, variant, false));
-        Self {
-            gpu: gpu.clone(),
-            renewal: plan.renewal,
-            fold_angles,
-            spring_forces,
-            damped_forces,
-            settling,
-            row_sums,
-            integration,
-            checkpoint,
-            workgroup,
-            variant,
-            buffers,
-            instances,
-            load_slots: Vec::new(),
-        }
+    /// Whether dynamics renews its time step, which no sheet does at its first step.
+    pub(crate) fn renews_time_step(&self) -> bool {
+        !self.variant.relaxing() && self.passes.renewal > 0
+    }
+
+    /// So many steps as whole dispatches that are no fewer.
+    pub(crate) fn whole_dispatches(&self, steps: u64) -> u64 {
+        if self.passes.stride > 1 { steps.next_multiple_of(CHECK_INTERVAL) } else { steps }
     }
 
     /// What may act on its sheets from outside.
@@ -163,47 +132,73 @@ impl Engine {
     /// [`CHECK_INTERVAL`].
     pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, instances: u32, from: u64, to: u64) {
         let mut record = |passes: &[Pass]| passes.iter().for_each(|p| p.record(pass, instances));
-        let dynamics = !self.variant.relaxing();
+        let (passes, dynamics) = (&self.passes, !self.variant.relaxing());
         // Dynamics begins with a time step, a relaxation without masses.
-        let has_renewals = !self.row_sums.is_empty();
-        let renews = |step: u64| has_renewals && step.is_multiple_of(self.renewal) && (step > 0 || !dynamics);
-        if let Some(workgroup) = &self.workgroup {
-            for step in (from..to.next_multiple_of(CHECK_INTERVAL)).step_by(self.variant.steps as usize) {
-                let is_check = step.is_multiple_of(CHECK_INTERVAL);
-                if is_check || renews(step) {
-                    record(&self.fold_angles);
-                    record(&self.spring_forces);
-                }
-                if is_check {
-                    record(&self.settling);
-                }
-                if renews(step) {
-                    record(&self.row_sums);
-                }
-                record(std::slice::from_ref(workgroup));
+        let renews = |step: u64| passes.renewal > 0 && step.is_multiple_of(passes.renewal) && (step > 0 || !dynamics);
+        for step in (from..to).step_by(passes.stride as usize) {
+            let (is_check, renews) = (step.is_multiple_of(CHECK_INTERVAL), renews(step));
+            if !passes.alone || is_check || renews {
+                record(&passes.fold_angles);
             }
-        } else {
-            for step in from..to {
-                let is_check = step.is_multiple_of(CHECK_INTERVAL);
-                record(&self.fold_angles);
-                if is_check || !dynamics {
-                    record(&self.spring_forces);
-                }
-                if is_check {
-                    record(&self.settling);
-                }
-                if renews(step) {
-                    record(&self.row_sums);
-                }
-                record(&self.damped_forces);
-                record(&self.integration);
+            if is_check || if passes.alone { renews } else { !dynamics } {
+                record(&passes.spring_forces);
             }
+            if is_check {
+                record(&passes.settling);
+            }
+            if renews {
+                record(&passes.row_sums);
+            }
+            record(&passes.damped_forces);
+            record(&passes.integration);
         }
+        record(&passes.home);
     }
 
     /// Records a copy of the state, where it is good.
     pub(crate) fn record_checkpoint(&self, pass: &mut wgpu::ComputePass<'_>, instances: u32) {
-        self.checkpoint.iter().for_each(|p| p.record(pass, instances));
+        self.passes.checkpoint.iter().for_each(|p| p.record(pass, instances));
+    }
+}
+
+impl Passes {
+    fn new(gpu: &Gpu, variant: &Variant, route: &Route, buffers: &Buffers, safe: bool) -> Self {
+        let pass = |kernel, variant: &Variant, clock| Pass::new(gpu, kernel, variant, clock, buffers);
+        let plan = Plan::new(variant, safe);
+        let passes = |kernels: &[&'static Kernel]| kernels.iter().map(|k| pass(k, variant, false)).collect();
+        let undamped =
+            |kernels: &[&'static Kernel]| kernels.iter().map(|k| pass(k, &variant.undamped(), false)).collect();
+        let common = Self {
+            fold_angles: undamped(plan.angles),
+            spring_forces: undamped(&plan.forces),
+            settling: passes(plan.settling),
+            checkpoint: passes(plan.checkpoint),
+            home: passes(plan.home),
+            stride: 1,
+            ..Self::default()
+        };
+        match route {
+            Route::Workgroup(own) => {
+                let (kernel, row_sums) = match variant.relaxing() {
+                    // The workgroup renews its masses itself.
+                    true => (&workgroup_relax::KERNEL, &[][..]),
+                    false => (&workgroup_dynamics::KERNEL, plan.row_sums),
+                };
+                let renewal = if row_sums.is_empty() { 0 } else { plan.renewal };
+                let integration = vec![pass(kernel, own, false)];
+                let stride = u64::from(own.steps);
+                Self { row_sums: passes(row_sums), integration, alone: true, stride, renewal, ..common }
+            }
+            Route::Passes | Route::Blocks(_) => {
+                let alone = matches!(route, Route::Blocks(_));
+                // The pass over the triangles advances the clock.
+                let clock = |k: &Kernel| k.name == triangle_forces::KERNEL.name;
+                let damped: &[&Kernel] = if alone || variant.relaxing() { &[] } else { &plan.forces };
+                let damped_forces = damped.iter().map(|k| pass(k, variant, clock(k))).collect();
+                let (row_sums, integration) = (passes(plan.row_sums), passes(plan.integration));
+                Self { damped_forces, row_sums, integration, alone, renewal: plan.renewal, ..common }
+            }
+        }
     }
 }
 
@@ -213,46 +208,11 @@ pub(crate) fn uniform(models: &[&Model]) -> Option<Material> {
     models.iter().all(|m| m.material == material).then_some(material)
 }
 
-/// Whether one workgroup would take many steps of a sheet.
-pub(crate) fn is_by_workgroup(arrays: &SheetArrays, variant: &Variant, purpose: Purpose) -> bool {
-    workgroup_variant(arrays, variant, purpose).is_some()
-}
-
-/// The variant of the one-workgroup kernel, where it is wanted and can be had.
-fn workgroup_variant(arrays: &SheetArrays, variant: &Variant, purpose: Purpose) -> Option<Variant> {
-    let wanted = match purpose.dispatch {
-        Dispatch::Passes => false,
-        Dispatch::Workgroup => true,
-        Dispatch::Auto => arrays.nodes <= WORKGROUP_NODES,
-    };
-    // Eight buffers are all that every adapter has, and these sheets need more.
-    if !wanted || variant.rigidities || variant.loose_beams > 0 {
-        return None;
-    }
-    let most = arrays.nodes.max(arrays.hinges.len()).max(arrays.faces.len());
-    #[expect(clippy::cast_possible_truncation, reason = "at most 256")]
-    let workgroup = most.next_power_of_two().clamp(32, 256) as u32;
-    let most = (MOST_ITERATIONS / iterations(arrays, workgroup as usize)) as u64;
-    // Whole dispatches fill the interval after which the stopping rule is checked, and that of the safe step's renewal.
-    let renewal = if purpose.safe { safe_time_step::RENEWAL } else { CHECK_INTERVAL };
-    let whole = |steps: &u64| CHECK_INTERVAL.is_multiple_of(*steps) && renewal.is_multiple_of(*steps);
-    let steps = (1..=CHECK_INTERVAL.min(most)).rev().find(whole)?;
-    #[expect(clippy::cast_possible_truncation, reason = "at most a checks")]
-    let steps = steps as u32;
-    Some(Variant { workgroup, steps, ..variant.clone() })
-}
-
-/// Loop iterations of one invocation in one step, at most: every loop of the kernel counted as written.
-fn iterations(arrays: &SheetArrays, workgroup: usize) -> usize {
-    let rounds = |count: usize| count.div_ceil(workgroup);
-    let of_a_face = 1 + 3 + 3 + 3 + 3 + 3 + 3;
-    let of_a_node = 1 + arrays.most_slots() + 1;
-    1 + rounds(arrays.hinges.len()) + rounds(arrays.faces.len()) * of_a_face + rounds(arrays.nodes) * of_a_node + 8
-}
-
 /// Dispatches count workgroups in 16 bits.
 pub(crate) fn check_counts(variant: &Variant) -> Result<(), GpuError> {
-    let most = variant.creases.max(variant.faces).max(variant.nodes);
+    // A block has several creases for each invocation.
+    let creases = if variant.blocks.is_some() { 0 } else { variant.creases };
+    let most = creases.max(variant.faces).max(variant.nodes);
     let allowed = 65_535;
     match variant.groups(most) {
         groups if groups > allowed => Err(GpuError::TooManyElements {
@@ -264,22 +224,39 @@ pub(crate) fn check_counts(variant: &Variant) -> Result<(), GpuError> {
 }
 
 /// Bytes that each buffer takes for one instance, and once for all: what a sheet needs.
-pub(crate) fn sizes(arrays: &SheetArrays, variant: &Variant) -> Vec<(Binding, u64, u64)> {
+pub(crate) fn sizes(arrays: &SheetArrays, variant: &Variant, route: &Route) -> Vec<(Binding, u64, u64)> {
     let size = |count: usize, of: usize| (count * of) as u64;
     let nodes = arrays.nodes;
     let mut sizes = vec![
         (Binding::Control, size(1, size_of::<Control>()), 0),
-        (Binding::Nodes, size(nodes, size_of::<Node>()), 0),
-        (Binding::CreaseStates, size(arrays.hinges.len(), size_of::<CreaseState>()), 0),
-        (Binding::Hinges, 0, bytemuck::cast_slice::<_, u8>(&arrays.hinges).len() as u64),
-        (Binding::Faces, 0, bytemuck::cast_slice::<_, u8>(&arrays.faces).len() as u64),
-        (Binding::Slots, size(arrays.slot_count(), 16), 0),
-        (Binding::Rows, 0, size(nodes + 1, 4)),
-        (Binding::Partials, size(variant.groups(nodes), 16), 0),
+        (Binding::Partials, size(variant.groups(nodes).max(variant.sums()), 16), 0),
         (Binding::Windows, size(nodes, size_of::<Before>()), 0),
         (Binding::CheckpointNodes, size(nodes, size_of::<Node>()), 0),
-        (Binding::CheckpointAngles, size(arrays.hinges.len(), 4), 0),
+        (Binding::CheckpointAngles, size(variant.creases, 4), 0),
     ];
+    if let Route::Blocks(blocks) = route {
+        // Dynamics keeps the nodes twice: where they are, and where they come to.
+        let halves = if variant.relaxing() { 1 } else { 2 };
+        sizes.extend([
+            (Binding::Nodes, size(halves * nodes, size_of::<Node>()), 0),
+            (Binding::Slots, size(nodes, 16), 0),
+            (Binding::Blocks, 0, size(blocks.words.len(), 4)),
+            (Binding::Angles, size(variant.creases, 4), 0),
+            (Binding::Targets, size(variant.creases, 8), 0),
+        ]);
+        if variant.loads {
+            sizes.push((Binding::Loads, size(nodes, 16), 0));
+        }
+        return sizes;
+    }
+    sizes.extend([
+        (Binding::Nodes, size(nodes, size_of::<Node>()), 0),
+        (Binding::CreaseStates, size(arrays.hinges.len(), size_of::<CreaseState>()), 0),
+        (Binding::Hinges, 0, size_of_val(&arrays.hinges[..]) as u64),
+        (Binding::Faces, 0, size_of_val(&arrays.faces[..]) as u64),
+        (Binding::Slots, size(arrays.slot_count(), 16), 0),
+        (Binding::Rows, 0, size(nodes + 1, 4)),
+    ]);
     if variant.corners {
         sizes.push((Binding::Corners, 0, size(arrays.corners.len(), 16)));
     }
@@ -287,21 +264,28 @@ pub(crate) fn sizes(arrays: &SheetArrays, variant: &Variant) -> Vec<(Binding, u6
         sizes.push((Binding::Rigidities, 0, size(arrays.rigidities.len(), 4)));
     }
     if variant.loose_beams > 0 {
-        sizes.push((Binding::LooseBeams, 0, bytemuck::cast_slice::<_, u8>(&arrays.loose_beams).len() as u64));
+        sizes.push((Binding::LooseBeams, 0, size_of_val(&arrays.loose_beams[..]) as u64));
     }
     sizes
 }
 
-fn buffers(gpu: &Gpu, arrays: &SheetArrays, variant: &Variant, instances: usize) -> Result<Buffers, GpuError> {
+fn buffers(
+    gpu: &Gpu,
+    arrays: &SheetArrays,
+    variant: &Variant,
+    route: &Route,
+    instances: usize,
+) -> Result<Buffers, GpuError> {
     let mut buffers = Buffers::new();
-    for (binding, each, once) in sizes(arrays, variant) {
-        let contents: &[u8] = match binding {
-            Binding::Hinges => bytemuck::cast_slice(&arrays.hinges),
-            Binding::Faces => bytemuck::cast_slice(&arrays.faces),
-            Binding::Rows => bytemuck::cast_slice(&arrays.rows),
-            Binding::Corners => bytemuck::cast_slice(&arrays.corners),
-            Binding::Rigidities => bytemuck::cast_slice(&arrays.rigidities),
-            Binding::LooseBeams => bytemuck::cast_slice(&arrays.loose_beams),
+    for (binding, each, once) in sizes(arrays, variant, route) {
+        let contents: &[u8] = match (binding, route) {
+            (Binding::Hinges, _) => bytemuck::cast_slice(&arrays.hinges),
+            (Binding::Faces, _) => bytemuck::cast_slice(&arrays.faces),
+            (Binding::Rows, _) => bytemuck::cast_slice(&arrays.rows),
+            (Binding::Corners, _) => bytemuck::cast_slice(&arrays.corners),
+            (Binding::Rigidities, _) => bytemuck::cast_slice(&arrays.rigidities),
+            (Binding::LooseBeams, _) => bytemuck::cast_slice(&arrays.loose_beams),
+            (Binding::Blocks, Route::Blocks(blocks)) => bytemuck::cast_slice(&blocks.words),
             _ => &[],
         };
         buffers.insert(binding, buffer(gpu, binding, each * instances as u64 + once, contents)?);
@@ -310,70 +294,28 @@ fn buffers(gpu: &Gpu, arrays: &SheetArrays, variant: &Variant, instances: usize)
 }
 
 /// How many instances of a sheet fit into the adapter's buffers.
-pub(crate) fn most_instances(gpu: &Gpu, arrays: &SheetArrays, scheme: Scheme) -> usize {
+pub(crate) fn most_instances(gpu: &Gpu, arrays: &SheetArrays, purpose: Purpose) -> usize {
     // Buffers are as large with one material as with many.
-    let variant = Variant::new(arrays, scheme, None);
+    let plain = Variant::new(arrays, purpose.scheme, None);
+    let route = Route::new(arrays, &plain, purpose, gpu.is_hardware());
+    let variant = route.variant(&plain);
     let allowed = gpu.largest_buffer();
-    let fits = sizes(arrays, &variant).into_iter().filter(|(_, each, _)| *each > 0);
+    let fits = sizes(arrays, &variant, &route).into_iter().filter(|(_, each, _)| *each > 0);
     let most = fits.map(|(_, each, once)| allowed.saturating_sub(once) / each).min().unwrap_or(1);
     usize::try_from(most.clamp(1, 65_535)).unwrap_or(1)
 }
 
 #[cfg(test)]
 mod tests {
-    use origami_core::Material;
-    use origami_core::generate::Miura;
-
     use super::*;
     use crate::testing::bench::EULER;
     use crate::testing::cases::miura;
     use crate::testing::{gpu, sheets};
 
-    const BY_WORKGROUP: Purpose = Purpose { scheme: EULER, safe: true, dispatch: Dispatch::Workgroup };
-
     fn arrays_and_variant(model: &Model) -> (SheetArrays, Variant) {
         let arrays = SheetArrays::new(model);
         let variant = Variant::new(&arrays, EULER, Some(model.material));
         (arrays, variant)
-    }
-
-    #[test]
-    fn loops_in_a_workgroup_stay_below_the_cap_and_fill_whole_intervals() {
-        let (mut arrays, variant) = arrays_and_variant(&miura());
-        let mut steps = Vec::new();
-        for faces in [1, 100, 10_000, 40_000, 100_000, 400_000, 4_000_000] {
-            arrays.faces.resize(faces, arrays.faces[0]);
-            let renewing = workgroup_variant(&arrays, &variant, BY_WORKGROUP).map(|built| u64::from(built.steps));
-            assert!(renewing.is_none_or(|steps| safe_time_step::RENEWAL.is_multiple_of(steps)), "{renewing:?}");
-            let constant = Purpose { safe: false, ..BY_WORKGROUP };
-            let Some(built) = workgroup_variant(&arrays, &variant, constant) else {
-                assert!(iterations(&arrays, 256) > MOST_ITERATIONS, "{faces} faces: one step would fit");
-                continue;
-            };
-            let made = built.steps as usize * iterations(&arrays, built.workgroup as usize);
-            assert!(made <= MOST_ITERATIONS, "{faces} faces: {made} iterations");
-            assert!(CHECK_INTERVAL.is_multiple_of(u64::from(built.steps)), "{faces} faces: {} steps", built.steps);
-            steps.push(built.steps);
-        }
-        assert_eq!((steps.first(), steps.is_sorted_by(|a, b| a >= b)), (Some(&20), true), "{steps:?}");
-        assert!(steps.iter().any(|s| (1..20).contains(s)), "some are between: {steps:?}");
-        assert!(steps.len() < 7, "too many faces even for one step");
-    }
-
-    #[test]
-    fn a_workgroup_takes_a_sheet_where_its_buffers_suffice_and_it_is_small() {
-        let is_taken = |model: &Model, dispatch| {
-            let (arrays, variant) = arrays_and_variant(model);
-            is_by_workgroup(&arrays, &variant, Purpose { dispatch, ..BY_WORKGROUP })
-        };
-        let small = miura();
-        assert!(is_taken(&small, Dispatch::Auto) && is_taken(&small, Dispatch::Workgroup));
-        assert!(!is_taken(&small, Dispatch::Passes));
-        assert!(!is_taken(&sheets::loose_beams(), Dispatch::Workgroup), "it would need a ninth buffer");
-        let large = Miura { columns: 20, rows: 20, ..Miura::default() }.pattern().expect("a pattern");
-        let large = Model::new(&large, &Material::default()).expect("a model");
-        assert!(large.node_count() > WORKGROUP_NODES);
-        assert!(!is_taken(&large, Dispatch::Auto) && is_taken(&large, Dispatch::Workgroup));
     }
 
     #[test]
@@ -394,7 +336,7 @@ mod tests {
         let allowed = gpu.largest_buffer();
         // As if it had so many nodes: only what is allowed is ever made.
         arrays.nodes = usize::try_from(allowed).expect("64 bits") / size_of::<Node>() + 1;
-        let refused = buffers(&gpu, &arrays, &variant, 1).expect_err("too large");
+        let refused = buffers(&gpu, &arrays, &variant, &Route::Passes, 1).expect_err("too large");
         let needed = (arrays.nodes * size_of::<Node>()) as u64;
         assert_eq!(refused, GpuError::TooLarge { what: "the nodes", needed, allowed });
     }
@@ -405,8 +347,9 @@ mod tests {
         let allowed = gpu.largest_buffer();
         for model in [miura(), sheets::loose_beams()] {
             let (arrays, variant) = arrays_and_variant(&model);
-            let most = most_instances(&gpu, &arrays, EULER) as u64;
-            let largest = |count: u64| sizes(&arrays, &variant).iter().map(|s| s.1 * count + s.2).max();
+            let purpose = Purpose { scheme: EULER, safe: false, dispatch: Dispatch::Passes };
+            let most = most_instances(&gpu, &arrays, purpose) as u64;
+            let largest = |count: u64| sizes(&arrays, &variant, &Route::Passes).iter().map(|s| s.1 * count + s.2).max();
             assert!(largest(most) <= Some(allowed));
             assert!(most == 65_535 || largest(most + 1) > Some(allowed));
             assert!(most >= 1);

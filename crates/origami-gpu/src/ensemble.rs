@@ -1,4 +1,4 @@
-//! Many sheets in one run: instances whose springs lie in the same places share one buffer set.
+//! Many sheets at once: instances whose springs lie in the same places pass through one buffer set.
 
 use std::ops::ControlFlow;
 
@@ -7,60 +7,92 @@ use origami_core::solve::{Failed, Folded, Instance, Progress};
 
 use crate::device::Gpu;
 use crate::engine::{Engine, most_instances, uniform};
+use crate::error::GpuError;
 use crate::method::Method;
 use crate::outcome::backend;
 use crate::outside::Outside;
 use crate::purpose::Purpose;
 use crate::sheet_arrays::{SheetArrays, same_springs};
+use crate::stream::Asked;
 
-/// Runs all instances; results in their order.
-pub(crate) fn fold_all(
+/// Nodes of all sheets that are on the GPU at once, beyond which more of them make nothing faster: several for each thread
+/// that a GPU has, in some 0.6 GB. An estimate; `./on-a-gpu` measures ensembles.
+const NODES_AT_ONCE: usize = 1 << 20;
+
+/// Runs all instances; each result goes to `take` as soon as there is one.
+pub(crate) fn fold_each(
     gpu: &Gpu,
     method: Method<'_>,
     purpose: Purpose,
     instances: &[Instance<'_>],
     observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
-) -> Vec<Result<Folded, Failed>> {
-    let most = |arrays: &SheetArrays| most_instances(gpu, arrays, purpose.scheme);
-    in_runs(gpu, method, purpose, instances, observe, most)
+    take: &(dyn Fn(usize, Result<Folded, Failed>) -> ControlFlow<()> + Sync),
+) {
+    let most =
+        |arrays: &SheetArrays| most_instances(gpu, arrays, purpose).min(NODES_AT_ONCE / arrays.nodes.max(1)).max(1);
+    let _ = in_runs(gpu, method, purpose, (instances, observe, take), most);
 }
 
-/// The same with at most as many instances in one run as `most` says of their arrays.
-fn in_runs(
+/// Instances, who watches them and who takes what they come to.
+pub(crate) type Given<'a> = (
+    &'a [Instance<'a>],
+    &'a (dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
+    &'a (dyn Fn(usize, Result<Folded, Failed>) -> ControlFlow<()> + Sync),
+);
+
+/// The same with at most as many instances at once as `most` says of their arrays.
+pub(crate) fn in_runs(
     gpu: &Gpu,
     method: Method<'_>,
     purpose: Purpose,
-    instances: &[Instance<'_>],
-    observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
+    (instances, observe, take): Given<'_>,
     most: impl Fn(&SheetArrays) -> usize,
-) -> Vec<Result<Folded, Failed>> {
-    let refused = |instance: &Instance<'_>| {
-        method.check(instance).err().map(|refusal| Err(Failed::refused(refusal, &instance.start)))
-    };
-    let mut results: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(refused).collect();
-    for mut group in groups(instances) {
+) -> ControlFlow<()> {
+    let mut sound = Vec::with_capacity(instances.len());
+    for (i, instance) in instances.iter().enumerate() {
         // Who is refused does not take the others along.
-        group.retain(|i| results[*i].is_none());
-        if group.is_empty() {
-            continue;
+        match method.check(instance) {
+            Err(refusal) => take(i, Err(Failed::refused(refusal, &instance.start)))?,
+            Ok(()) => sound.push(i),
         }
+    }
+    for group in groups(instances, &sound) {
         let models = different(group.iter().map(|i| instances[*i].model));
         let outside = Outside::of(group.iter().map(|i| &instances[*i].scene));
         let arrays = SheetArrays::with_outside(models[0], &outside);
-        let most = most(&arrays);
-        let mut engine = Engine::of_arrays(gpu, &arrays, uniform(&models), purpose, group.len().min(most));
-        for part in group.chunks(most) {
-            let own: Vec<Instance<'_>> = part.iter().map(|i| instances[*i].clone()).collect();
-            let came_to = match &mut engine {
-                Ok(engine) => method.run(engine, &own, &mut |slot, progress| observe(part[slot], progress)),
-                Err(error) => own.iter().map(|i| Err(backend(error.clone(), &i.start, 0))).collect(),
-            };
-            for (i, result) in part.iter().zip(came_to) {
-                results[*i] = Some(result);
+        let at_once = group.len().min(most(&arrays)).max(1);
+        match fitting(at_once, |at_once| Engine::of_arrays(gpu, &arrays, uniform(&models), purpose, at_once)) {
+            Ok(engine) => {
+                let own: Vec<&Instance<'_>> = group.iter().map(|i| &instances[*i]).collect();
+                let mut goes_on = ControlFlow::Continue(());
+                let asked = Asked {
+                    instances: &own,
+                    observe: &mut |i, progress| observe(group[i], progress),
+                    take: &mut |i, result| {
+                        goes_on = take(group[i], result);
+                        goes_on
+                    },
+                };
+                method.run(&engine, asked);
+                goes_on?;
+            }
+            Err(error) => {
+                group.iter().try_for_each(|i| take(*i, Err(backend(error.clone(), &instances[*i].start, 0))))?
             }
         }
     }
-    results.into_iter().flatten().collect()
+    ControlFlow::Continue(())
+}
+
+/// What `make` makes for so many, or for half as many where memory does not suffice, and so on.
+fn fitting<T>(most: usize, mut make: impl FnMut(usize) -> Result<T, GpuError>) -> Result<T, GpuError> {
+    let mut count = most;
+    loop {
+        match make(count) {
+            Err(GpuError::OutOfMemory(_)) if count > 1 => count /= 2,
+            made => return made,
+        }
+    }
 }
 
 /// The models, each once.
@@ -74,10 +106,11 @@ fn different<'m>(models: impl Iterator<Item = &'m Model>) -> Vec<&'m Model> {
     different
 }
 
-/// Indices of instances that can share one set of arrays.
-fn groups(instances: &[Instance<'_>]) -> Vec<Vec<usize>> {
+/// Those of the instances that can share one set of arrays, by their indices.
+fn groups(instances: &[Instance<'_>], of: &[usize]) -> Vec<Vec<usize>> {
     let mut groups: Vec<(&Model, Vec<usize>)> = Vec::new();
-    for (i, instance) in instances.iter().enumerate() {
+    for i in of.iter().copied() {
+        let instance = &instances[i];
         let same = |known: &Model| std::ptr::eq(known, instance.model) || same_springs(known, instance.model);
         match groups.iter_mut().find(|(known, _)| same(known)) {
             Some((_, group)) => group.push(i),
@@ -123,7 +156,13 @@ mod tests {
                 reported.lock().expect("no panic")[i] += 1;
                 ControlFlow::Continue(())
             };
-            states(in_runs(gpu, method.method(), purpose, &instances, &reported, |_| most))
+            let results: Vec<_> = instances.iter().map(|_| std::sync::OnceLock::new()).collect();
+            let take = |i: usize, result| {
+                results[i].set(result).expect("each comes once");
+                ControlFlow::Continue(())
+            };
+            assert!(in_runs(gpu, method.method(), purpose, (&instances, &reported, &take), |_| most).is_continue());
+            states(results.into_iter().map(|result| result.into_inner().expect("each comes")).collect())
         };
         let at_once = in_runs_of(100);
         assert_eq!(in_runs_of(3), at_once);
@@ -138,6 +177,23 @@ mod tests {
             assert_eq!(&folded.state, state, "{:?}", instance.scene.targets);
         }
         assert!(at_once.windows(2).all(|pair| pair[0] != pair[1]), "each has its own");
+    }
+
+    #[test]
+    fn fewer_go_at_once_where_memory_does_not_suffice() {
+        let details = || crate::Details("full".to_owned());
+        let room_for = |room: usize, most: usize| {
+            fitting(most, |count| if count <= room { Ok(count) } else { Err(GpuError::OutOfMemory(details())) })
+        };
+        assert_eq!(room_for(100, 70), Ok(70));
+        assert_eq!(room_for(100, 1000), Ok(62));
+        assert_eq!(room_for(0, 1000), Err(GpuError::OutOfMemory(details())), "not even one");
+        let mut tries = 0;
+        let lost = fitting(64, |_| {
+            tries += 1;
+            Err::<(), _>(GpuError::Lost("gone".to_owned()))
+        });
+        assert_eq!((lost.is_err(), tries), (true, 1), "nothing else is tried again");
     }
 
     #[test]
@@ -171,7 +227,10 @@ mod tests {
         models.push(own(&|p| p.fixed.push(origami_core::ids::VertexId(0))));
         models.push(own(&|_| {}));
         let instances: Vec<Instance<'_>> = models.iter().map(|model| instance(model, 50.0)).collect();
-        assert_eq!(groups(&instances), [vec![0, 1, 7], vec![2], vec![3], vec![4], vec![5], vec![6]]);
+        assert_eq!(
+            groups(&instances, &[0, 1, 2, 3, 4, 5, 6, 7]),
+            [vec![0, 1, 7], vec![2], vec![3], vec![4], vec![5], vec![6]]
+        );
     }
 
     #[test]
@@ -183,7 +242,7 @@ mod tests {
         let materials = [plain, Material { k_fold: 2.0, k_facet: 1.0, ea: 40.0, ..plain }];
         let models = Model::of_each(&pattern, &materials).expect("models");
         let instances: Vec<Instance<'_>> = models.iter().map(|model| instance(model, 50.0)).collect();
-        assert_eq!(groups(&instances), [vec![0, 1]], "their own happen to be the first material's");
+        assert_eq!(groups(&instances, &[0, 1]), [vec![0, 1]], "their own happen to be the first material's");
         let Some(gpu) = gpu() else { return };
         let method = Dynamics { steps: Some(60), ..Dynamics::default() };
         let states = states(gpu.with(method.clone()).fold_all(&instances, &|_, _| ControlFlow::Continue(())));

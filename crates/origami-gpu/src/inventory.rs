@@ -2,31 +2,32 @@
 
 use origami_core::model::{Built, Inventory, LeftOut, Model};
 
-use crate::engine::is_by_workgroup;
 use crate::plan::Plan;
 use crate::purpose::Purpose;
+use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
 use crate::variant::Variant;
 
 /// The model's inventory `inventory`, and what the GPU's pipelines add to it.
-pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose) -> Inventory {
+pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose, hardware: bool) -> Inventory {
     let arrays = SheetArrays::new(model);
-    let variant = Variant::new(&arrays, purpose.scheme, Some(model.material));
+    let plain = Variant::new(&arrays, purpose.scheme, Some(model.material));
+    let route = Route::new(&arrays, &plain, purpose, hardware);
+    let variant = route.variant(&plain);
+    let plan = Plan::new(&variant, purpose.safe);
     let mut built = |what, count| inventory.built.push(Built { what, count });
-    if is_by_workgroup(&arrays, &variant, purpose) {
-        built("passes in one workgroup", 1);
-    } else {
-        let plan = Plan::new(&variant, purpose.safe);
-        built(
-            "passes over all elements",
-            plan.forces.len() - usize::from(variant.loose_beams > 0) + plan.integration.len(),
-        );
+    let by_blocks = matches!(route, Route::Blocks(_));
+    match &route {
+        Route::Workgroup(_) => built("passes in one workgroup", 1),
+        Route::Blocks(blocks) => built("blocks of nodes, a workgroup each", blocks.extent.count),
+        // Fold angles, forces of triangles and what follows.
+        Route::Passes => built("passes over all elements", 2 + plan.integration.len()),
     }
     if variant.loose_beams > 0 {
-        built("pass of loose beams", variant.loose_beams);
+        built(if by_blocks { "loose beams in blocks" } else { "pass of loose beams" }, variant.loose_beams);
     }
     if variant.rigidities {
-        built("buffer of rigidities", arrays.rigidities.len());
+        built(if by_blocks { "rigidities in blocks" } else { "buffer of rigidities" }, arrays.rigidities.len());
     }
     let mut without = |what, why| inventory.left_out.push(LeftOut { what, count: 0, why });
     if variant.loose_beams == 0 {

@@ -46,6 +46,7 @@
 #![forbid(unsafe_code)]
 
 mod adapter;
+mod blocks;
 #[cfg(test)]
 mod buffer_table;
 mod device;
@@ -56,6 +57,7 @@ mod error;
 mod inventory;
 mod kernels;
 mod layout;
+mod leaving;
 mod limits;
 mod mapped;
 mod method;
@@ -69,21 +71,24 @@ mod purpose;
 mod relax;
 #[cfg(feature = "render")]
 pub mod render;
+mod route;
 mod run;
 #[cfg(test)]
 mod shader_checks;
 mod sheet_arrays;
 mod simulation;
+mod single;
 mod solver;
 mod steering;
+mod stream;
 #[cfg(test)]
 mod testing;
 mod traffic;
 mod variant;
 
-pub use adapter::{AUTO_NODES, AdapterChoice, AdapterKind, AdapterSummary, adapters};
+pub use adapter::{AUTO_NODES, AUTO_NODES_MEASURED, AdapterChoice, AdapterKind, AdapterSummary, adapters};
 pub use device::Gpu;
-pub use error::GpuError;
+pub use error::{Details, GpuError};
 pub use limits::{AdapterLimits, Lack};
 pub use method::GpuMethod;
 pub use paper::PaperDynamics;

@@ -12,6 +12,7 @@ use origami_core::solve::{Diverged, Failed, Folded, Instance, Progress, State, S
 use crate::error::GpuError;
 use crate::layout::{Control, CreaseState, NONE, Node, SETTLED, vector};
 use crate::run::Ending;
+use crate::single;
 use crate::variant::Scheme;
 
 /// A device that gave up, with the last state that is known.
@@ -21,22 +22,21 @@ pub(crate) fn backend(error: GpuError, last: &State, step: u64) -> Failed {
 
 /// The targets of an instance, where a GPU can run its scene.
 pub(crate) fn checked(instance: &Instance<'_>) -> Result<Vec<f64>, Refusal> {
-    let Instance { model, scene, .. } = instance;
+    let Instance { model, scene, start } = instance;
     scene.check(model)?;
     if !scene.forces.is_empty() {
         let expected = "the same solver on the CPU, or loads and supports in their place";
         return Err(Refusal::Unsupported { what: "forces", backend: GPU, expected });
     }
-    scene.targets.of(model)
+    let targets = scene.targets.of(model)?;
+    single::check_model(model)?;
+    single::check_scene(scene, &targets)?;
+    single::check_start(start)?;
+    Ok(targets)
 }
 
 /// What cannot compute a thing, as refusals call it.
 pub(crate) const GPU: &str = "a GPU";
-
-/// Instances of which one cannot be run: those that run together are refused together.
-pub(crate) fn refused(instances: &[Instance<'_>], refusal: &Refusal) -> Vec<Result<Folded, Failed>> {
-    instances.iter().map(|instance| Err(Failed::refused(refusal.clone(), &instance.start))).collect()
-}
 
 /// Where an instance begins: its start, with the nodes of supports where they are held.
 pub(crate) fn placed(instance: &Instance<'_>) -> State {

@@ -49,6 +49,7 @@ pub(crate) struct Pass {
 impl Pass {
     /// Builds `kernel` for `variant`. Where it is refused, wgpu says so to the error scope that this is called in.
     pub(crate) fn new(gpu: &Gpu, kernel: &Kernel, variant: &Variant, advances_clock: bool, buffers: &Buffers) -> Self {
+        let variant = if kernel.per == Per::Block { &variant.of_a_block() } else { variant };
         let source = kernel.source(variant);
         let constants = asked_for(&source, variant.constants(advances_clock));
         let module = gpu.device().create_shader_module(wgpu::ShaderModuleDescriptor {
@@ -78,6 +79,8 @@ impl Pass {
             entries: &entries,
         });
         let elements = match kernel.per {
+            // A workgroup each.
+            Per::Block => variant.sums() * variant.workgroup as usize,
             Per::Crease => variant.creases,
             Per::Face => variant.faces,
             Per::LooseBeam => variant.loose_beams,

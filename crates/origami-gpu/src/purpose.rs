@@ -13,21 +13,25 @@ pub enum Dispatch {
     Passes,
     /// One workgroup for each sheet, which takes many steps in one dispatch.
     Workgroup,
+    /// A workgroup for each block of nodes, which computes from their positions all that pulls at them: fewer bytes, more
+    /// arithmetic. Where no workgroup's memory holds what pulls at one node: by passes.
+    Blocks,
 }
 
 impl Dispatch {
     /// All ways that there are: each but [`Dispatch::Auto`], which is one of them. [`OnGpu::way`](crate::OnGpu::way) tells
     /// which a sheet can go.
-    pub const WAYS: &[Self] = &[Self::Passes, Self::Workgroup];
+    pub const WAYS: &[Self] = &[Self::Passes, Self::Workgroup, Self::Blocks];
 }
 
-/// `auto`, `passes` or `one workgroup`.
+/// `auto`, `passes`, `one workgroup` or `blocks`.
 impl fmt::Display for Dispatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Auto => "auto",
             Self::Passes => "passes",
             Self::Workgroup => "one workgroup",
+            Self::Blocks => "blocks",
         })
     }
 }

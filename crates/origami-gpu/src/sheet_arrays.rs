@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
 use origami_core::csr::Csr;
 use origami_core::ids::NodeId;
 use origami_core::model::{Beam, Crease, Model, StiffnessSource};
@@ -14,6 +15,8 @@ use crate::outside::Outside;
 pub(crate) struct SheetArrays {
     /// Nodes of one instance.
     pub(crate) nodes: usize,
+    /// Where each node is at rest.
+    pub(crate) rest: Vec<DVec3>,
     pub(crate) hinges: Vec<Hinge>,
     pub(crate) faces: Vec<Face>,
     /// By face; empty where no triangle has corner springs.
@@ -70,6 +73,7 @@ impl SheetArrays {
         let any_own = rigidities.iter().any(|r| *r > 0.0);
         Self {
             nodes: model.node_count(),
+            rest: model.rest.clone(),
             hinges,
             faces,
             corners,

@@ -7,13 +7,16 @@ use origami_core::scene::Scene;
 use origami_core::solve::{Failed, Folded, Instance, Progress, Session, Solver, State};
 
 use crate::device::Gpu;
-use crate::engine::{Engine, is_by_workgroup};
+use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::method::GpuMethod;
 use crate::outcome::backend;
 use crate::outside::Outside;
 use crate::purpose::{Dispatch, Purpose};
+use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
+use crate::stream::Asked;
+use crate::traffic::Traffic;
 use crate::variant::Variant;
 use crate::{ensemble, inventory};
 
@@ -52,7 +55,13 @@ impl<S: GpuMethod> OnGpu<S> {
         let purpose = self.purpose([model].into_iter());
         let arrays = SheetArrays::new(model);
         let variant = Variant::new(&arrays, purpose.scheme, Some(model.material));
-        if is_by_workgroup(&arrays, &variant, purpose) { Dispatch::Workgroup } else { Dispatch::Passes }
+        Route::new(&arrays, &variant, purpose, self.gpu.is_hardware()).dispatch()
+    }
+
+    /// What a step moves and what the buffers take on the way that `model` goes, counted: nothing is asked of the GPU.
+    pub fn traffic(&self, model: &Model) -> Traffic {
+        let purpose = self.purpose([model].into_iter());
+        Traffic::of(model, purpose.scheme, purpose.safe, self.way(model))
     }
 
     /// What [`Solver::session`] gives, by its own name.
@@ -83,17 +92,18 @@ impl<S: GpuMethod> Solver for OnGpu<S> {
         Box::new(self.on(model))
     }
 
-    fn fold_all(
+    fn fold_each(
         &self,
         instances: &[Instance<'_>],
         observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
-    ) -> Vec<Result<Folded, Failed>> {
+        take: &(dyn Fn(usize, Result<Folded, Failed>) -> ControlFlow<()> + Sync),
+    ) {
         let purpose = self.purpose(instances.iter().map(|i| i.model));
-        ensemble::fold_all(&self.gpu, self.method.method(), purpose, instances, observe)
+        ensemble::fold_each(&self.gpu, self.method.method(), purpose, instances, observe, take);
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
-        inventory::of(model, self.method.inventory(model), self.purpose([model].into_iter()))
+        inventory::of(model, self.method.inventory(model), self.purpose([model].into_iter()), self.gpu.is_hardware())
     }
 }
 
@@ -123,16 +133,27 @@ impl<S: GpuMethod> Session for OnModel<'_, S> {
         scene: &Scene,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
+        let instance = Instance { model: self.model, start: start.clone(), scene: scene.clone() };
+        // Before whatever came of building an engine for it.
+        self.on.method.method().check(&instance).map_err(|refusal| Failed::refused(refusal, start))?;
         // Supports and loads need room: where a scene brings some, the engine is built once more.
         if let Ok(engine) = &self.engine
             && !engine.outside().covers(scene)
         {
             self.engine = Engine::new(&self.on.gpu, self.model, &engine.outside().with(scene), self.purpose);
         }
-        let engine = self.engine.as_mut().map_err(|error| backend(error.clone(), start, 0))?;
-        let instance = Instance { model: self.model, start: start.clone(), scene: scene.clone() };
-        let mut results = self.on.method.method().run(engine, &[instance], &mut |_, progress| observe(progress));
-        results.pop().expect("one result for one instance")
+        let engine = self.engine.as_ref().map_err(|error| backend(error.clone(), start, 0))?;
+        let mut result = None;
+        let asked = Asked {
+            instances: &[&instance],
+            observe: &mut |_, progress| observe(progress),
+            take: &mut |_, came_to| {
+                result = Some(came_to);
+                ControlFlow::Continue(())
+            },
+        };
+        self.on.method.method().run(engine, asked);
+        result.expect("one result for one instance")
     }
 }
 
@@ -184,6 +205,9 @@ mod tests {
         for way in Dispatch::WAYS {
             assert_eq!(on(*way).way(&plain), *way, "{way}");
         }
+        let bytes = |way| on(way).traffic(&plain).bytes_per_step();
+        assert_eq!(bytes(Dispatch::Passes), Traffic::of_relax(&plain).bytes_per_step());
+        assert_eq!(bytes(Dispatch::Blocks), Traffic::of_relax_in_blocks(&plain).bytes_per_step());
         assert_eq!(on(Dispatch::Workgroup).way(&loose), Dispatch::Passes, "it needs too many buffers");
         assert!(Dispatch::WAYS.contains(&on(Dispatch::Auto).way(&plain)));
         let mut names: Vec<String> = Dispatch::WAYS.iter().map(ToString::to_string).collect();

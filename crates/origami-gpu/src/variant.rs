@@ -4,6 +4,7 @@ use origami_core::model::{DEGENERATE, Material};
 use origami_core::twins::{checkpoint, fire_update, safe_time_step, settle_decide, state_bounds};
 use origami_shaders as wgsl;
 
+use crate::blocks::{Blocks, Extent, INVOCATIONS};
 use crate::sheet_arrays::SheetArrays;
 
 /// What moves the nodes.
@@ -30,6 +31,10 @@ pub(crate) struct Variant {
     pub(crate) faces: usize,
     pub(crate) loose_beams: usize,
     pub(crate) slots: usize,
+    /// Whether some nodes are loaded, or may be; asked by blocks only.
+    pub(crate) loads: bool,
+    /// Of a sheet that goes by blocks.
+    pub(crate) blocks: Option<Extent>,
     pub(crate) workgroup: u32,
     /// Steps of one dispatch where a workgroup takes many.
     pub(crate) steps: u32,
@@ -49,9 +54,26 @@ impl Variant {
             faces: arrays.faces.len(),
             loose_beams: arrays.loose_beams.len(),
             slots: arrays.slot_count(),
+            loads: !arrays.load_slots.is_empty(),
+            blocks: None,
             workgroup: if arrays.nodes > LARGE { 256 } else { 64 },
             steps: 1,
         }
+    }
+
+    /// The same by blocks: creases are counted as often as blocks have them.
+    pub(crate) fn in_blocks(&self, blocks: &Blocks) -> Self {
+        Self { blocks: Some(blocks.extent), creases: blocks.copies.of.len(), ..self.clone() }
+    }
+
+    /// The same for the kernels that work on blocks.
+    pub(crate) fn of_a_block(&self) -> Self {
+        Self { workgroup: INVOCATIONS, ..self.clone() }
+    }
+
+    /// How many sums FIRE gets for an instance.
+    pub(crate) fn sums(&self) -> usize {
+        self.blocks.map_or(self.groups(self.nodes), |blocks| blocks.count)
     }
 
     /// Workgroups over `count` elements.
@@ -89,6 +111,7 @@ impl Variant {
             Scheme::Dynamics { verlet, damped } => (verlet, damped),
             Scheme::Relax => (false, false),
         };
+        let room = self.blocks.unwrap_or_default().room;
         vec![
             ("NODES", self.nodes as f64),
             ("CREASES", self.creases as f64),
@@ -97,6 +120,11 @@ impl Variant {
             ("SLOTS", self.slots as f64),
             ("WORKGROUP", f64::from(self.workgroup)),
             ("GROUPS", self.groups(self.nodes) as f64),
+            ("SUMS", self.sums() as f64),
+            ("POSITION_WORDS", 3.0 * room.nodes as f64),
+            // An array of no length is not allowed.
+            ("MOMENTS", room.creases.max(1) as f64),
+            ("FORCE_WORDS", 3.0 * room.slots as f64),
             ("STEPS", f64::from(self.steps)),
             ("RELAXING", is(self.relaxing())),
             ("DAMPED", is(damped)),

@@ -47,7 +47,12 @@ fn of_dynamics(gpu: &Gpu, models: &[(String, Model)]) {
     for (name, model) in models {
         let columns = STEPS.map(|steps| {
             let reference = Dynamics { steps: Some(steps), ..Dynamics::default() };
-            let plain = PaperDynamics { gpu: gpu.clone(), time_step: TimeStep::Paper, steps };
+            let plain = PaperDynamics {
+                gpu: gpu.clone(),
+                time_step: TimeStep::Paper,
+                steps,
+                read_every: PaperDynamics::READ_EVERY,
+            };
             let ours = gpu.with(reference.clone());
             let Ok(reference) = fold(&reference, model) else { return " diverges | diverges |".to_owned() };
             let solvers: [&dyn Solver; 2] = [&plain, &ours];

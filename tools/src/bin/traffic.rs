@@ -25,6 +25,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let counted = [
             ("dynamics", Traffic::of_dynamics(&model, &Dynamics::default())),
             ("relax", Traffic::of_relax(&model)),
+            ("dynamics, blocks", Traffic::of_dynamics_in_blocks(&model, &Dynamics::default())),
+            ("relax, blocks", Traffic::of_relax_in_blocks(&model)),
             ("paper's five passes", Traffic::of_paper(&model)),
         ];
         counted.iter().for_each(|(name, traffic)| row(name, traffic));

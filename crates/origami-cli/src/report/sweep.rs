@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::args::Shard;
 
-use super::{Adapter, Divergence, Measured, Seconds};
+use super::{Adapter, By, Divergence, Measured, Seconds};
 
 /// What sweep.json begins with: all that a sweep goes on with must have been made with the same.
 #[derive(Debug, Serialize)]
@@ -18,6 +18,8 @@ pub(crate) struct Head {
     pub(crate) solver: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,
+    /// What decided that.
+    pub(crate) backend_by: By,
     /// The GPU.
     pub(crate) adapter: Option<Adapter>,
     /// `f64` or `mixed` on the processor, `f32` on a GPU.
@@ -114,13 +116,13 @@ pub(crate) struct Varied {
 
 impl Varied {
     pub(crate) fn new(material: &Material, point: &Point) -> Self {
-        let Material { ea, k_fold, k_facet, k_face, zeta } = *material;
+        let Material { ea, k_fold, k_facet, k_face, zeta, .. } = *material;
         Self { ea, k_fold, k_facet, k_face, zeta, perturbation: point.perturbation, seed: point.seed }
     }
 }
 
 /// The columns of sweep.csv: where a row of the JSON has them. Numbers and words of our own, which need no quotes.
-const COLUMNS: [&str; 32] = [
+const COLUMNS: [&str; 31] = [
     "index",
     "ea",
     "k_fold",
@@ -134,7 +136,6 @@ const COLUMNS: [&str; 32] = [
     "stop",
     "steps",
     "attempts",
-    "saddles",
     "residual",
     "distance",
     "strain/mean",

@@ -12,6 +12,7 @@ const KEYS: [&str; 35] = [
     "solver",
     "from",
     "backend",
+    "backend_by",
     "adapter",
     "percent",
     "precision",

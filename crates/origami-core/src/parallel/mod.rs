@@ -29,6 +29,25 @@ mod tests {
     }
 
     #[test]
+    fn items_come_in_turn_until_one_breaks() {
+        let items: Vec<usize> = (0..10_000).collect();
+        let done = std::sync::Mutex::new(Vec::new());
+        let until = |end: usize| {
+            in_turn(&items, |i, x| {
+                done.lock().expect("no panic").push(i + x);
+                if i == end { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            });
+            let mut done = std::mem::take(&mut *done.lock().expect("no panic"));
+            done.sort_unstable();
+            done
+        };
+        assert_eq!(until(items.len()), items.iter().map(|x| 2 * x).collect::<Vec<_>>());
+        let few = until(7);
+        assert!(few.len() >= 8 && few.len() < 1000, "{} were begun", few.len());
+        assert_eq!(few[..8], [0, 2, 4, 6, 8, 10, 12, 14]);
+    }
+
+    #[test]
     fn what_is_said_is_heard_in_order_before_the_result() {
         let mut heard = Vec::new();
         let result = listen_to(

@@ -33,6 +33,12 @@ pub(crate) fn map_into<T: Sync, U: Send>(
     items.par_iter().with_min_len(least).map(f).collect_into_vec(results);
 }
 
+/// Does `f` for each item and its index, until one breaks: then no others are begun. They are begun in their order.
+pub(crate) fn in_turn<T: Sync>(items: &[T], f: impl Fn(usize, &T) -> ControlFlow<()> + Send + Sync) {
+    // A thread takes the next item when it has done one, and no batch of them.
+    let _ = items.iter().enumerate().par_bridge().try_for_each(|(i, item)| f(i, item));
+}
+
 /// Runs `work` on a thread of the pool, so that it can share out what it does.
 pub(crate) fn on_pool<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     rayon::scope(|_| work())

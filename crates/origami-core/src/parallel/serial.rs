@@ -23,6 +23,11 @@ pub(crate) fn map_into<T, U>(items: &[T], _least: usize, f: impl Fn(&T) -> U, re
     results.extend(items.iter().map(f));
 }
 
+/// Does `f` for each item and its index in their order, until one breaks.
+pub(crate) fn in_turn<T>(items: &[T], f: impl Fn(usize, &T) -> ControlFlow<()>) {
+    let _ = items.iter().enumerate().try_for_each(|(i, item)| f(i, item));
+}
+
 /// Runs `work`.
 pub(crate) fn on_pool<T>(work: impl FnOnce() -> T) -> T {
     work()

@@ -95,6 +95,22 @@ pub enum Refusal {
         /// What can.
         expected: &'static str,
     },
+    /// A number is too large, or too small, for the numbers in which it is to be computed.
+    #[error(
+        "{what}: {value:e}; {backend} computes in f32 (expected {least:e} to {most:e} in size, or the same solver on the CPU)"
+    )]
+    TooWide {
+        /// What the number is.
+        what: String,
+        /// The number.
+        value: f64,
+        /// What was to compute with it.
+        backend: &'static str,
+        /// The least size beside 0.
+        least: f64,
+        /// The largest.
+        most: f64,
+    },
 }
 
 impl fmt::Display for Needs {

@@ -7,7 +7,7 @@
 use glam::DVec3;
 
 use super::largest::largest;
-use super::row_sums::all_row_sums;
+use super::row_sums::{OnTheWay, all_row_sums};
 use super::{Failed, Folded, SparseHessian, State, Stop};
 use crate::forces::Forces;
 use crate::model::Model;
@@ -64,7 +64,7 @@ pub(super) fn direction(model: &Model, scene: &Scene, state: &State, products: u
     }
     let hessian = state.hessian(model, scene)?;
     let mut weights = vec![0.0; model.node_count()];
-    all_row_sums(false, (model, &scene.forces), &state.positions, &mut weights);
+    all_row_sums(false, (model, &OnTheWay::default(), &scene.forces), &state.positions, &mut weights);
     let least = weights.iter().copied().fold(f64::INFINITY, f64::min);
     let mut forces = Forces::in_scene(model, scene);
     let forces = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles.clone());

@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "checkpoint",
     text: wgsl::CHECKPOINT,
     shared: SHARED,
-    parts: |_| vec![wgsl::WHOLE_CREASES],
+    parts: |variant| vec![if variant.blocks.is_some() { wgsl::BLOCK_ANGLES } else { wgsl::WHOLE_CREASES }],
     uses: &[
         Binding::Control,
         Binding::Nodes,

@@ -1,5 +1,10 @@
 //! The kernels: one file each, with the name of its shader. Here is what they have in common.
 
+pub(crate) mod block_clock;
+pub(crate) mod block_dynamics;
+pub(crate) mod block_forces;
+pub(crate) mod block_relax;
+pub(crate) mod bring_home;
 pub(crate) mod checkpoint;
 pub(crate) mod fire_move;
 pub(crate) mod fire_update;
@@ -50,6 +55,11 @@ pub(crate) enum Binding {
     Springs = 22,
     BeamEnds = 23,
     Roles = 24,
+    // Of blocks.
+    Blocks = 25,
+    Angles = 26,
+    Targets = 27,
+    Loads = 28,
 }
 
 impl Binding {
@@ -80,6 +90,10 @@ impl Binding {
             Self::Springs => "the springs of the creases",
             Self::BeamEnds => "the list of beams at nodes",
             Self::Roles => "the list of creases and triangles at nodes",
+            Self::Blocks => "the lists of the blocks",
+            Self::Angles => "the fold angles in blocks",
+            Self::Targets => "the target angles in blocks",
+            Self::Loads => "the loads",
         }
     }
 }
@@ -91,6 +105,8 @@ pub(crate) enum Per {
     Face,
     LooseBeam,
     Node,
+    /// A workgroup for each block.
+    Block,
     /// The larger of nodes and creases.
     NodeOrCrease,
     /// One workgroup an instance.
@@ -130,11 +146,22 @@ impl Kernel {
     /// All buffers that it uses.
     pub(crate) fn bindings(&self, variant: &Variant) -> Vec<Binding> {
         let mut bindings = self.uses.to_vec();
-        if self.springs && variant.corners {
+        let in_blocks = self.per == Per::Block;
+        if self.springs && variant.corners && !in_blocks {
             bindings.push(Binding::Corners);
         }
-        if self.springs && variant.rigidities {
+        if self.springs && variant.rigidities && !in_blocks {
             bindings.push(Binding::Rigidities);
+        }
+        if in_blocks && variant.loads {
+            bindings.push(Binding::Loads);
+        }
+        if variant.blocks.is_some() {
+            // What these are in the whole sheet, blocks have in another form.
+            bindings.retain(|binding| *binding != Binding::Rows);
+            for binding in bindings.iter_mut().filter(|binding| **binding == Binding::CreaseStates) {
+                *binding = Binding::Angles;
+            }
         }
         bindings.sort_unstable();
         bindings
@@ -154,6 +181,25 @@ const WHOLE_SHEET: &[Binding] = &[
     Binding::Slots,
     Binding::Rows,
 ];
+
+/// The parts of kernels that work on blocks.
+fn in_blocks(variant: &Variant) -> Vec<&'static str> {
+    let mut parts = vec![variant.material(), wgsl::ANGLE, wgsl::HINGE, wgsl::FACE, wgsl::LOOSE_BEAM];
+    parts.extend([wgsl::BLOCK, wgsl::BLOCK_WORDS, wgsl::BLOCK_NODES, wgsl::BLOCK_ANGLES, wgsl::BLOCK_CREASES]);
+    parts.extend(match variant.corners {
+        true => &[wgsl::CORNER_ANGLES, wgsl::BLOCK_CORNERS][..],
+        false => &[wgsl::CORNER_ANGLES_NONE],
+    });
+    parts.push(if variant.rigidities { wgsl::BLOCK_RIGIDITY_OWN } else { wgsl::RIGIDITY_UNIFORM });
+    parts.push(if variant.loads { wgsl::LOADS } else { wgsl::LOADS_NONE });
+    parts.extend([wgsl::FOLD_ANGLES, wgsl::TRIANGLE_FORCES, wgsl::CLOCK, wgsl::BLOCK_SPRINGS]);
+    parts
+}
+
+/// The parts that sum the forces on a node.
+fn gather(variant: &Variant) -> Vec<&'static str> {
+    if variant.blocks.is_some() { vec![wgsl::BLOCK_GATHER] } else { vec![wgsl::SLOTS, wgsl::GATHER] }
+}
 
 /// The parts that tell how stiff a crease is.
 fn creases(variant: &Variant) -> Vec<&'static str> {
@@ -183,10 +229,16 @@ mod tests {
 
     use super::*;
     use crate::paper::PASSES;
+    use crate::plan::Plan;
     use crate::shader_checks::{bindings, checked};
     use crate::testing::variants;
 
-    const ALL: [&Kernel; 21] = [
+    const ALL: [&Kernel; 26] = [
+        &block_clock::KERNEL,
+        &block_dynamics::KERNEL,
+        &block_forces::KERNEL,
+        &block_relax::KERNEL,
+        &bring_home::KERNEL,
         &fire_update::KERNEL,
         &fold_angles::KERNEL,
         &triangle_forces::KERNEL,
@@ -216,9 +268,19 @@ mod tests {
     const INVOCATIONS: u32 = 256;
     const WORKGROUP_STORAGE: u32 = 16_384;
 
-    /// Whether the engine ever builds it so: one-workgroup kernels would need nine buffers for these.
+    /// Whether the engine ever builds it so.
     fn is_built(kernel: &Kernel, variant: &Variant) -> bool {
-        kernel.per != Per::Instance || !kernel.springs || !(variant.rigidities || variant.loose_beams > 0)
+        if variant.blocks.is_some() {
+            let plan = Plan::new(variant, true);
+            let lists =
+                [plan.forces.as_slice(), plan.settling, plan.row_sums, plan.integration, plan.checkpoint, plan.home];
+            return lists.concat().iter().any(|planned| planned.name == kernel.name);
+        }
+        let of_blocks =
+            kernel.per == Per::Block || [block_clock::KERNEL.name, bring_home::KERNEL.name].contains(&kernel.name);
+        // One-workgroup kernels would need nine buffers for these.
+        let nine = kernel.per == Per::Instance && kernel.springs && (variant.rigidities || variant.loose_beams > 0);
+        !of_blocks && !nine
     }
 
     /// Every kernel in every variant that has a text of its own: constants alone do not change it.
@@ -236,12 +298,16 @@ mod tests {
         names.filter(|name| given.iter().all(|(known, _)| known != name)).collect()
     }
 
-    /// Bytes of a module's workgroup variables, with `invocations` for an array as long as the workgroup.
-    fn workgroup_storage(module: &Module, invocations: u32) -> u32 {
+    /// Bytes of a module's workgroup variables, with these values for the constants that arrays are as long as.
+    fn workgroup_storage(module: &Module, given: &[(&str, f64)]) -> u32 {
         let variables = module.global_variables.iter().map(|(_, variable)| variable);
         let shared = variables.filter(|variable| variable.space == AddressSpace::WorkGroup);
+        let value = |constant: naga::Handle<naga::Override>| {
+            let name = module.overrides[constant].name.as_deref();
+            given.iter().find(|(known, _)| Some(*known) == name).expect("it has a value").1 as u32
+        };
         let size = |variable: &naga::GlobalVariable| match module.types[variable.ty].inner {
-            TypeInner::Array { size: ArraySize::Pending(_), stride, .. } => stride * invocations,
+            TypeInner::Array { size: ArraySize::Pending(length), stride, .. } => stride * value(length),
             ref inner => inner.size(module.to_ctx()),
         };
         shared.map(size).sum()
@@ -270,9 +336,17 @@ mod tests {
     fn each_constant_gets_a_value_and_workgroups_are_small_enough() {
         for (kernel, variant, text) in texts() {
             let module = naga::front::wgsl::parse_str(&text).expect("valid");
-            let missing = without_value(&module, &variant.constants(false));
+            let constants = variant.constants(false);
+            let missing = without_value(&module, &constants);
             assert!(missing.is_empty(), "{}: {missing:?} have no value", kernel.name);
-            assert!(workgroup_storage(&module, INVOCATIONS) <= WORKGROUP_STORAGE, "{}", kernel.name);
+            let storage = workgroup_storage(&module, &constants);
+            assert!(storage <= WORKGROUP_STORAGE, "{}", kernel.name);
+            let room = variant.blocks.filter(|_| kernel.per == Per::Block).map(|blocks| blocks.room.memory());
+            assert!(
+                room.is_none_or(|room| storage as usize == room),
+                "{}: {storage} bytes, {room:?} counted",
+                kernel.name
+            );
             let entry = module.entry_points.iter().find(|entry| entry.name == kernel.entry).expect("it is there");
             assert_eq!(entry.stage, ShaderStage::Compute);
             // Either one invocation or as many as the constant says, which is no more than 256.
@@ -306,7 +380,7 @@ mod tests {
             @compute @workgroup_size(KNOWN) fn f() { some[0] = vec4<f32>(NEW); one = 1u; }";
         let module = naga::front::wgsl::parse_str(text).expect("valid");
         assert_eq!(without_value(&module, &[("KNOWN", 1.0)]), ["NEW"]);
-        assert_eq!(workgroup_storage(&module, 1024), 16_388);
+        assert_eq!(workgroup_storage(&module, &[("KNOWN", 1024.0)]), 16_388);
         let rigid = variants::of_texts().into_iter().find(|variant| variant.rigidities && variant.corners);
         let nine = workgroup_relax::KERNEL.bindings(&rigid.expect("there is one"));
         assert!(nine.len() > STORAGE_BUFFERS, "why it is not built");

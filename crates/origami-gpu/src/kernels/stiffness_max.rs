@@ -2,7 +2,7 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED};
+use super::{Binding, Kernel, Per, SHARED, gather};
 
 /// The kernel of `stiffness_max.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "stiffness_max",
     text: wgsl::STIFFNESS_MAX,
     shared: SHARED,
-    parts: |_| vec![wgsl::SLOTS, wgsl::GATHER],
+    parts: gather,
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows],
     springs: false,
     per: Per::Node,

@@ -14,13 +14,14 @@ use origami_core::{Solver, State};
 
 use super::sheet::Sheet;
 use crate::device::Gpu;
+use crate::error::GpuError;
 use crate::layout::{Control, NONE};
 
 /// The paper's scheme in the paper's five passes: the plainest way to do on a GPU what [`origami_core::Dynamics`] does with
 /// [`Integrator::Euler`](origami_core::solve::Integrator::Euler), no ramp and a number of steps.
 ///
 /// It is the baseline of comparisons. Positions are rest plus a displacement in f32, nothing is left out that a scene does
-/// not need, and the state is read every 100 steps.
+/// not need, and the state is read now and then, to see whether it is good.
 #[derive(Clone, Debug)]
 pub struct PaperDynamics {
     /// Where it computes.
@@ -29,6 +30,14 @@ pub struct PaperDynamics {
     pub time_step: TimeStep,
     /// How many steps it takes.
     pub steps: u64,
+    /// Steps between two reads of the state, with which whoever watches is told how far it has come; at least 1. More: faster,
+    /// while a state that comes back where it diverges is older. [`READ_EVERY`](Self::READ_EVERY) is usual.
+    pub read_every: u64,
+}
+
+impl PaperDynamics {
+    /// As often as `Dynamics` keeps a state that is good.
+    pub const READ_EVERY: u64 = COPY_EVERY;
 }
 
 /// The one time step that this baseline does not have.
@@ -63,8 +72,8 @@ impl Solver for PaperDynamics {
         sheet.write(model, &read.state).map_err(|error| read.failed(error))?;
         let mut stop = Stop::StepsDone;
         while read.step < self.steps {
-            let step = (read.step + COPY_EVERY).min(self.steps);
-            let control = sheet.advance(read.step, step).map_err(|error| read.failed(error))?;
+            let step = read.step.saturating_add(self.read_every.max(1)).min(self.steps);
+            let control = advance(&sheet, read.step, step).map_err(|error| read.failed(error))?;
             let state = sheet.read(model, &read.state.targets).map_err(|error| read.failed(error))?;
             if control.bad_node != NONE {
                 return Err(diverged(model, &state, control, dt, good).into());
@@ -106,6 +115,19 @@ impl Solver for PaperDynamics {
         let mut inventory = model.inventory.clone();
         inventory.built.push(Built { what: "damping", count: model.beams.len() });
         inventory
+    }
+}
+
+/// Takes the steps `from..to`, in submissions of a length that no driver takes for a hanging one.
+fn advance(sheet: &Sheet, from: u64, to: u64) -> Result<Control, GpuError> {
+    let mut step = from;
+    loop {
+        let next = (step + COPY_EVERY).min(to);
+        let control = sheet.advance(step, next)?;
+        if next == to || control.bad_node != NONE {
+            return Ok(control);
+        }
+        step = next;
     }
 }
 
@@ -161,7 +183,8 @@ mod tests {
     #[test]
     fn trajectories_agree_with_the_processor() {
         let Some(gpu) = gpu() else { return };
-        let solver = PaperDynamics { gpu, time_step: TimeStep::Paper, steps: STEPS };
+        let solver =
+            PaperDynamics { gpu, time_step: TimeStep::Paper, steps: STEPS, read_every: PaperDynamics::READ_EVERY };
         for (name, model) in cases::patterns() {
             let (ours, theirs) = (solved(&solver, &model, 60.0), solved(&cpu(TimeStep::Paper, STEPS), &model, 60.0));
             let far = cases::farthest(&ours.state.positions, &theirs.state.positions);
@@ -182,7 +205,8 @@ mod tests {
     #[test]
     fn two_runs_give_the_same_bits() {
         let Some(gpu) = gpu() else { return };
-        let solver = PaperDynamics { gpu, time_step: TimeStep::Paper, steps: 150 };
+        let solver =
+            PaperDynamics { gpu, time_step: TimeStep::Paper, steps: 150, read_every: PaperDynamics::READ_EVERY };
         let model = cases::miura();
         assert_eq!(solved(&solver, &model, 60.0).state, solved(&solver, &model, 60.0).state);
     }
@@ -195,14 +219,20 @@ mod tests {
         let fold = |solver: &dyn Solver| {
             solver.fold(&model, &start, &Scene::percent(60.0), &mut unwatched).expect_err("too long")
         };
-        let ours = fold(&PaperDynamics { gpu: gpu.clone(), time_step, steps: 1000 });
+        let ours =
+            fold(&PaperDynamics { gpu: gpu.clone(), time_step, steps: 1000, read_every: PaperDynamics::READ_EVERY });
         let theirs = fold(&cpu(time_step, 1000));
         let (Failed::Diverged(ours), Failed::Diverged(theirs)) = (ours, theirs) else { panic!("not a divergence") };
         assert_eq!((ours.vertex, ours.step, ours.quantity), (theirs.vertex, theirs.step, theirs.quantity));
         assert!((ours.value - theirs.value).abs() < 1e-2 * theirs.value, "{} is not {}", ours.value, theirs.value);
         assert_eq!(ours.last_good_step, theirs.last_good_step);
 
-        let nan = fold(&PaperDynamics { gpu, time_step: TimeStep::Fixed(f64::NAN), steps: 3 });
+        let nan = fold(&PaperDynamics {
+            gpu,
+            time_step: TimeStep::Fixed(f64::NAN),
+            steps: 3,
+            read_every: PaperDynamics::READ_EVERY,
+        });
         assert!(matches!(nan, Failed::Diverged(ref d) if d.step == 1 && d.value.is_nan()), "{nan}");
     }
 
@@ -210,12 +240,17 @@ mod tests {
     fn no_steps_leave_the_start_and_a_safe_step_is_refused() {
         let Some(gpu) = gpu() else { return };
         let model = cases::miura();
-        let none = PaperDynamics { gpu: gpu.clone(), time_step: TimeStep::Paper, steps: 0 };
+        let none = PaperDynamics {
+            gpu: gpu.clone(),
+            time_step: TimeStep::Paper,
+            steps: 0,
+            read_every: PaperDynamics::READ_EVERY,
+        };
         let folded = solved(&none, &model, 60.0);
         assert_eq!(folded.state.positions, model.rest);
         assert_eq!(folded.state.targets, model.targets(60.0));
         assert!(folded.residual > 0.0);
-        let safe = PaperDynamics { gpu, time_step: TimeStep::Safe, steps: 1 };
+        let safe = PaperDynamics { gpu, time_step: TimeStep::Safe, steps: 1, read_every: PaperDynamics::READ_EVERY };
         let refused = safe
             .fold(&model, &State::at_rest(&model), &Scene::percent(60.0), &mut unwatched)
             .expect_err("no such step");

@@ -13,6 +13,7 @@ use crate::engine::Engine;
 use crate::kernels::{Binding, Kernel, loose_beams};
 use crate::layout::{Control, Node};
 use crate::pipeline::Pass;
+use crate::purpose::Dispatch;
 use crate::run::Beginning;
 use crate::sheet_arrays::SheetArrays;
 use crate::testing::cases::Case;
@@ -42,7 +43,12 @@ pub(crate) struct Bench {
 impl Bench {
     /// With the velocities of the case even in a relaxation, and its targets at once.
     pub(crate) fn new(gpu: &Gpu, case: &Case, scheme: Scheme) -> Self {
-        let engine = Engine::bare(gpu, &case.model, scheme).expect("it fits");
+        Self::by(gpu, case, scheme, Dispatch::Passes)
+    }
+
+    /// The same with the buffers of another way.
+    pub(crate) fn by(gpu: &Gpu, case: &Case, scheme: Scheme, dispatch: Dispatch) -> Self {
+        let engine = Engine::bare(gpu, &case.model, scheme, dispatch).expect("it fits");
         let integrator = match scheme {
             Scheme::Dynamics { verlet: true, .. } => Integrator::Verlet,
             _ => Integrator::Euler,
@@ -60,7 +66,7 @@ impl Bench {
             time_step: time_step::paper(&case.model),
             damping_sum: time_step::damping_sum(&case.model, integrator),
         };
-        engine.load(&[beginning]).expect("written");
+        engine.load(0, &[beginning]).expect("written");
         let bench = Self { engine, arrays: SheetArrays::new(&case.model), passes: RefCell::default() };
         bench.change_nodes(|i, node| node.velocity = crate::layout::single(case.state.velocities[i]));
         bench

@@ -4,6 +4,7 @@ pub(crate) mod bench;
 pub(crate) mod cases;
 pub(crate) mod magnitudes;
 pub(crate) mod sheets;
+pub(crate) mod steps;
 pub(crate) mod variants;
 
 use std::io::Write;

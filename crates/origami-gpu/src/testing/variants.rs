@@ -2,6 +2,7 @@
 
 use origami_core::Material;
 
+use crate::blocks::{Extent, Room};
 use crate::variant::{Scheme, Variant};
 
 /// A relaxation with everything that a plain sheet has.
@@ -17,9 +18,16 @@ pub(crate) fn plain() -> Variant {
         faces: 150,
         loose_beams: 0,
         slots: 450,
+        loads: false,
+        blocks: None,
         workgroup: 64,
         steps: 1,
     }
+}
+
+/// Some blocks.
+pub(crate) fn extent() -> Extent {
+    Extent { count: 2, room: Room { nodes: 70, creases: 120, slots: 250 }, positions: 130, velocities: 120 }
 }
 
 /// All that differ in their text, with every motion and both sizes of workgroups among them.
@@ -27,7 +35,7 @@ pub(crate) fn of_texts() -> Vec<Variant> {
     let dynamics = |verlet, damped| Scheme::Dynamics { verlet, damped };
     let motions =
         [Scheme::Relax, dynamics(false, true), dynamics(true, true), dynamics(false, false), dynamics(true, false)];
-    (0..16_usize)
+    (0..32_usize)
         .map(|bits| {
             let is = |bit: usize| bits >> bit & 1 == 1;
             Variant {
@@ -36,6 +44,8 @@ pub(crate) fn of_texts() -> Vec<Variant> {
                 rigidities: is(1),
                 material: is(2).then(Material::default),
                 loose_beams: if is(3) { 4 } else { 0 },
+                loads: is(4) && is(1),
+                blocks: is(4).then_some(extent()),
                 fixed: bits % 3 == 0,
                 workgroup: if bits % 2 == 0 { 64 } else { 256 },
                 ..plain()

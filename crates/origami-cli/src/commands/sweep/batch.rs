@@ -8,7 +8,6 @@ use origami::measure::attitude::{self, Hold};
 use origami::model::{Inventory, Model};
 use origami::solve::{Failed, Folded, Instance, Point, Progress, Solver, Sweep};
 use origami::{CreasePattern, Error, Warning};
-use rayon::prelude::*;
 
 use super::folder::Folder;
 use super::ledger::Ledger;
@@ -48,6 +47,10 @@ struct Batch<'a> {
     begun: usize,
     /// The sheets before this place have rows already.
     taken: usize,
+}
+
+fn goes_on(failed: &OnceLock<Error>) -> ControlFlow<()> {
+    if failed.get().is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
 /// What is known of all sheets.
@@ -134,31 +137,48 @@ impl Work<'_> {
 
         let written = Mutex::new((ledger, 0.0, known));
         let lock = || written.lock().unwrap_or_else(PoisonError::into_inner);
-        // A GPU takes all at once; on the processor each is handed over as soon as it is folded, in order as far as they
-        // are equally long.
-        let size = if self.on_gpu.is_some() { points.len().max(1) } else { 1 };
-        let parts = instances.chunks(size).enumerate().par_bridge();
-        let done = parts.try_for_each(|(part, instances)| {
-            let begun = begun + part * size;
-            let observe = |i: usize, progress: Progress| {
-                self.line.show_sheets(shares.advance(begun + i, progress.ramp));
-                ControlFlow::Continue(())
-            };
-            let folded = self.solver.fold_all(instances, &observe);
-            let of_part = instances.par_iter().zip(&points[part * size..]).zip(folded).enumerate();
-            of_part.try_for_each(|(i, ((instance, point), folded))| {
+        // The first error counts; the others follow from it.
+        let failed = OnceLock::new();
+        let observe = |i: usize, progress: Progress| {
+            self.line.show_sheets(shares.advance(begun + i, progress.ramp));
+            goes_on(&failed)
+        };
+        let keep = |i: usize, folded: Result<Folded, Failed>| {
+            // What was broken off for it is no result.
+            goes_on(&failed)?;
+            let (index, point) = (begun + i, &points[i]);
+            let kept = || {
                 let mut watch = Stopwatch::start();
-                let index = begun + i;
                 self.line.show_sheets(shares.advance(index, 1.0));
-                let (row, divergence) = self.row(index, scenes[point.material - first], point, instance, folded)?;
+                let scene = scenes[point.material - first];
+                let (row, divergence) = self.row(index, scene, point, &instances[i], folded)?;
                 let mut kept = lock();
                 let (ledger, write, known) = &mut *kept;
                 known.diverged(index, divergence);
                 ledger.push(row)?;
                 *write += watch.lap();
                 Ok::<(), Error>(())
-            })
-        });
+            };
+            if let Err(error) = kept() {
+                let _ = failed.set(error);
+            }
+            goes_on(&failed)
+        };
+        if self.on_gpu.is_some() {
+            // Rows are made on the processor's threads while the GPU goes on.
+            rayon::in_place_scope(|scope| {
+                self.solver.fold_each(&instances, &observe, &|i, folded| {
+                    let keep = &keep;
+                    scope.spawn(move |_| {
+                        let _ = keep(i, folded);
+                    });
+                    goes_on(&failed)
+                });
+            });
+        } else {
+            self.solver.fold_each(&instances, &observe, &keep);
+        }
+        let done = failed.into_inner().map_or(Ok(()), Err);
         let (ledger, write, _) = written.into_inner().unwrap_or_else(PoisonError::into_inner);
         // Threads wait for each other to write: their times overlap.
         let all = watch.lap();
@@ -166,7 +186,7 @@ impl Work<'_> {
         ledger.seconds.write += write;
         ledger.seconds.solve += all - write;
         if done.is_err() {
-            // What is done before it is kept; the first error is told.
+            // What is done before it is kept.
             let _ = ledger.flush();
         }
         done

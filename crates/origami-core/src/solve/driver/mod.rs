@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use super::{Failed, State};
 use crate::model::{Inventory, Model};
 use crate::scene::{Reaction, Scene, Targets};
-use ensemble::over_threads;
+use ensemble::{collected, over_threads};
 use session::Direct;
 
 /// What folds a model.
@@ -52,7 +52,19 @@ pub trait Solver: Send + Sync {
         instances: &[Instance<'_>],
         observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
     ) -> Vec<Result<Folded, Failed>> {
-        over_threads(self, instances, observe)
+        collected(self, instances, observe)
+    }
+
+    /// The same with each result handed to `take` as soon as there is one, with the place of its instance: the others still
+    /// run. Each instance comes once, in whatever order; where `take` breaks, what has not begun is not begun, and what
+    /// runs may not come.
+    fn fold_each(
+        &self,
+        instances: &[Instance<'_>],
+        observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
+        take: &(dyn Fn(usize, Result<Folded, Failed>) -> ControlFlow<()> + Sync),
+    ) {
+        over_threads(self, instances, observe, take);
     }
 
     /// What the model holds and leaves out, and what of its own this solver adds or does without.

@@ -36,7 +36,7 @@ pub(crate) fn fold(
     let py = solver.py();
     let method = Method::of(solver)?;
     let computer = Computer::new(&method, gpu)?;
-    let model = model_of(sheet)?;
+    let model = model_of(sheet, &method)?;
     let sheet = &model.get().sheet;
     let scene = scene(sheet, self::targets(sheet, percent, targets.as_ref())?, supports, loads)?;
     let hold = self::hold(sheet, hold, &scene)?;
@@ -74,7 +74,7 @@ pub(crate) fn fold_path(
     let py = solver.py();
     let method = Method::of(solver)?;
     let computer = Computer::new(&method, gpu)?;
-    let model = model_of(sheet)?;
+    let model = model_of(sheet, &method)?;
     let sheet = &model.get().sheet;
     let scene = Scene::default();
     let hold = self::hold(sheet, hold, &scene)?;

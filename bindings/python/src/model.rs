@@ -8,13 +8,13 @@ use origami::CreasePattern;
 use origami::glam::DVec3;
 use origami::ids::{EdgeId, NodeId, VertexId};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{IntoPyDict, PyTuple};
 use serde_json::json;
 
 use crate::arrays::{rows, vectors};
 use crate::errors::{OrRaise, refused};
 use crate::pattern::Pattern;
-use crate::settings::material;
+use crate::settings::{Method, material};
 use crate::source::Read;
 
 /// A pattern with a material, ready to be folded.
@@ -184,13 +184,21 @@ impl Model {
     }
 }
 
-/// A model, or a pattern that a model of the default material is made of.
-pub(crate) fn model_of<'py>(sheet: &Bound<'py, PyAny>) -> PyResult<Bound<'py, Model>> {
+/// A model, or a pattern that a model of the default material is made of: for the paper's motion of the paper's.
+pub(crate) fn model_of<'py>(sheet: &Bound<'py, PyAny>, method: &Method) -> PyResult<Bound<'py, Model>> {
     if let Ok(model) = sheet.cast::<Model>() {
         return Ok(model.clone());
     }
     let pattern = sheet.cast::<Pattern>().map_err(|_| {
         refused("sheet", &format!("{}", sheet.get_type()), "a Model, or a Pattern to be made of the default material")
     })?;
-    Bound::new(sheet.py(), Model::new(sheet.py(), pattern.clone(), None)?)
+    let py = sheet.py();
+    let material = match method {
+        Method::Dynamics(_) => {
+            let numbers = [("collapse", origami::Material::paper().collapse)].into_py_dict(py)?;
+            Some(py.import("origami_sim.settings")?.getattr("Material")?.call((), Some(&numbers))?)
+        }
+        _ => None,
+    };
+    Bound::new(py, Model::new(py, pattern.clone(), material)?)
 }

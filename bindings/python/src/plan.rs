@@ -77,7 +77,12 @@ impl Plan {
         let count = count.filter(|count| (1..=MOST).contains(count)).ok_or_else(|| {
             refused("sweep", "the lists combine to no sheet, or too many", &format!("1 to {MOST} sheets"))
         })?;
-        let sweep = Sweep { percents, materials: grid.materials(), perturbations, seeds };
+        let mut materials = grid.materials();
+        if matches!(method, Method::Dynamics(_)) {
+            // The paper's motion has the paper's springs.
+            materials.iter_mut().for_each(|material| material.collapse = Material::paper().collapse);
+        }
+        let sweep = Sweep { percents, materials, perturbations, seeds };
         sweep.materials.iter().try_for_each(Material::check).or_raise()?;
         let read = Arc::clone(&pattern.get().read);
         let method = method.unperturbed();
@@ -160,11 +165,11 @@ impl Plan {
 }
 
 /// Which of a material's springs there are: what is built depends on nothing else of it.
-type Needs = [bool; 5];
+type Needs = [bool; 6];
 
 fn needs(material: &Material) -> Needs {
-    let Material { ea, k_fold, k_facet, k_face, zeta } = *material;
-    [ea, k_fold, k_facet, k_face, zeta].map(|stiffness| stiffness != 0.0)
+    let Material { ea, k_fold, k_facet, k_face, zeta, collapse } = *material;
+    [ea, k_fold, k_facet, k_face, zeta, collapse].map(|stiffness| stiffness != 0.0)
 }
 
 /// The number of each way in which materials differ in what is built for them.

@@ -2,7 +2,7 @@
 
 use std::num::NonZeroUsize;
 
-use origami::model::Material;
+use origami::model::{Material, Softening};
 #[cfg(feature = "newton")]
 use origami::solve::Newton;
 use origami::solve::{Dynamics, Integrator, Precision, Relax, Solver, TimeStep};
@@ -96,6 +96,7 @@ pub(crate) fn material(settings: &Bound<'_, PyAny>) -> PyResult<Material> {
         k_facet: number("k_facet")?,
         k_face: number("k_face")?,
         zeta: number("zeta")?,
+        collapse: number("collapse")?,
     };
     material.check().or_raise()?;
     Ok(material)
@@ -108,11 +109,25 @@ fn relax(settings: &Bound<'_, PyAny>) -> PyResult<Relax> {
         max_steps: setting(settings, "max_steps")?,
         steps: setting(settings, "steps")?,
         retry: setting(settings, "retry")?,
+        softening: softening(&settings.getattr("softening")?)?,
         perturbation: share(settings, "perturbation")?,
         precision: precision(settings)?,
         threads: threads(settings)?,
         ..Relax::default()
     })
+}
+
+/// That of a `Softening`, or none.
+fn softening(settings: &Bound<'_, PyAny>) -> PyResult<Option<Softening>> {
+    if settings.is_none() {
+        return Ok(None);
+    }
+    let softening = Softening {
+        beams: positive(settings, "beams")?,
+        corner_angles: at_least_zero(settings, "corner_angles")?,
+        wrong_side: at_least_zero(settings, "wrong_side")?,
+    };
+    Ok(Some(softening))
 }
 
 fn dynamics(settings: &Bound<'_, PyAny>) -> PyResult<Dynamics> {
@@ -168,6 +183,10 @@ fn threads(settings: &Bound<'_, PyAny>) -> PyResult<Option<NonZeroUsize>> {
 
 fn positive(settings: &Bound<'_, PyAny>, name: &'static str) -> PyResult<f64> {
     checked(settings, name, |x| x > 0.0, "a finite number greater than 0")
+}
+
+fn at_least_zero(settings: &Bound<'_, PyAny>, name: &'static str) -> PyResult<f64> {
+    checked(settings, name, |x| x >= 0.0, "a finite number of at least 0")
 }
 
 fn share(settings: &Bound<'_, PyAny>, name: &'static str) -> PyResult<f64> {

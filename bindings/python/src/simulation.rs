@@ -123,7 +123,8 @@ impl Simulation {
     ) -> PyResult<Self> {
         let py = sheet.py();
         let solver = solver.map_or_else(|| py.import("origami_sim.settings")?.call_method0("Dynamics"), Ok)?;
-        let model = model_of(sheet)?;
+        let method = Method::of(&solver)?;
+        let model = model_of(sheet, &method)?;
         let sheet = &model.get().sheet;
         let asked = percent.map_or_else(Targets::at_rest, Targets::percent);
         let scene = scene(sheet, asked, supports, loads)?;
@@ -132,7 +133,7 @@ impl Simulation {
             None => State::at_rest(&sheet.model),
         };
         let own = sheet.model.clone();
-        let inner = match Method::of(&solver)? {
+        let inner = match method {
             Method::Relax(relax) => {
                 py.detach(|| origami::Simulation::in_scene(own, relax, &scene, start)).map(Moved::Relax)
             }

@@ -10,6 +10,7 @@ use crate::variant::Variant;
 
 /// The model's inventory `inventory`, and what the GPU's pipelines add to it.
 pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose, hardware: bool) -> Inventory {
+    inventory.built.retain(|group| group.what != "areas");
     let arrays = SheetArrays::new(model);
     let plain = Variant::new(&arrays, purpose.scheme, Some(model.material));
     let route = Route::new(&arrays, &plain, purpose, hardware);
@@ -39,6 +40,7 @@ pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose, hard
     if !variant.corners {
         without("buffer of corner angles", "there are none");
     }
+    without("areas", "GPUs do not compute them");
     without("strain and energy on the GPU", "they are measured on the state that is read");
     inventory
 }

@@ -17,7 +17,7 @@ crease in radians. Forces, energies and distances from the equilibrium are those
 from ._native import Folded, Model, Pattern, Simulation, __version__, features, generators
 from .errors import BackendError, Diverged, OrigamiError, PatternError, Refused
 from .measure import align, flat_folding
-from .settings import Dynamics, Material, Newton, Relax
+from .settings import Dynamics, Material, Newton, Relax, Softening
 from .solve import dynamics, newton, relax
 from .sweeps import sweep
 
@@ -38,6 +38,7 @@ __all__ = [
     "Refused",
     "Relax",
     "Simulation",
+    "Softening",
     "__version__",
     "align",
     "dynamics",

@@ -14,6 +14,8 @@ class Material:
     k_facet: the same of facet creases. Higher: flatter facets. 0 leaves them out.
     k_face: stiffness of the corner angles of triangles, a moment per radian. Higher: less shear. 0 leaves them out.
     zeta: damping ratio of the beams; only `Dynamics` has damping. Higher: vibration dies sooner. At least 0.
+    collapse: how strongly triangles resist losing the last fifth of their area, as a share of the stiffest crease.
+        Higher: they keep more of it. 0 leaves them without, as in the paper.
     """
 
     ea: float = 20.0
@@ -21,6 +23,7 @@ class Material:
     k_facet: float = 0.7
     k_face: float = 0.2
     zeta: float = 0.45
+    collapse: float = 0.03
 
 
 class _Solver:
@@ -66,6 +69,22 @@ class _Solver:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Softening:
+    """How soft a sheet is while the target angles of `Relax` rise; nothing of it is left when they are up.
+
+    beams: the most axial rigidity that a beam has, over the stiffest crease. Lower: fewer creases fold to the wrong
+        side, more steps afterwards. Greater than 0.
+    corner_angles: stiffness of the corner angles, as a share of the material's. Lower: as of beams. At least 0.
+    wrong_side: what pulls a crease towards flat that is folded to the other side than its target, in units of its
+        stiffness. Higher: it turns back sooner. At least 0.
+    """
+
+    beams: float = 0.85
+    corner_angles: float = 0.3
+    wrong_side: float = 10.0
+
+
+@dataclass(frozen=True, kw_only=True)
 class Relax(_Solver):
     """Relaxation: the folded state, without the motion that leads to it.
 
@@ -74,7 +93,8 @@ class Relax(_Solver):
         None: as the size of the sheet asks for, 400 for small ones.
     max_steps: steps after which it gives up, all attempts together.
     steps: run exactly so many steps instead, in one attempt. None: until it has converged.
-    retry: whether a state that is tangled, crushed or out of bounds is folded again in other ways.
+    retry: whether a state with lost creases, a crushed triangle or out of bounds is folded again in other ways.
+    softening: how soft the sheet is on the way. None: as stiff as its material.
     perturbation: how far each vertex is moved at the start, as a share of its shortest beam, from 0 to 1. Larger:
         saddles are left sooner; 0: none.
     precision: the numbers in which the processor computes: `f64`, or `mixed` for speed with a tolerance of 1e-6 or more.
@@ -88,6 +108,7 @@ class Relax(_Solver):
     max_steps: int = 100_000
     steps: int | None = None
     retry: bool = True
+    softening: Softening | None = Softening()
     perturbation: float = 1e-2
     precision: Literal["f64", "mixed"] = "f64"
     threads: int | None = None

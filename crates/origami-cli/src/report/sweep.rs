@@ -145,6 +145,7 @@ const COLUMNS: [&str; 31] = [
     "energy/beams",
     "energy/creases",
     "energy/corner_angles",
+    "energy/areas",
     "energy/total",
     "angle_error_deg/mean",
     "angle_error_deg/max",

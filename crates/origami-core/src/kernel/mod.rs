@@ -226,7 +226,8 @@ impl<R: Compute> Kernel<R> {
     /// most by which a crease turned since the last time, in radians.
     pub(crate) fn springs(&mut self, damped: bool) -> f64 {
         self.parallelism.step();
-        let tasks = self.parallelism.tasks();
+        // No block is shared.
+        let tasks = self.parallelism.tasks().min(self.layout.blocks.len() - 1).max(1);
         if self.scratch.len() < tasks {
             self.scratch.resize_with(tasks, Scratch::new);
         }

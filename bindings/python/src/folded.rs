@@ -47,6 +47,7 @@ struct Told {
     residual: f64,
     distance: f64,
     attempts: u32,
+    saddles: u32,
     reactions: Vec<Reaction>,
     run: Run,
 }
@@ -271,8 +272,18 @@ impl Folded {
     fn __reduce__<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyTuple>> {
         let py = this.py();
         let Self { model, folded, run } = this.get();
-        let origami::Folded { state, targets, stop, steps, time_step, residual, distance, attempts, reactions } =
-            folded;
+        let origami::Folded {
+            state,
+            targets,
+            stop,
+            steps,
+            time_step,
+            residual,
+            distance,
+            attempts,
+            saddles,
+            reactions,
+        } = folded;
         let told = Told {
             targets: targets.clone(),
             stop: *stop,
@@ -281,6 +292,7 @@ impl Folded {
             residual: *residual,
             distance: *distance,
             attempts: *attempts,
+            saddles: *saddles,
             reactions: reactions.clone(),
             run: run.clone(),
         };
@@ -321,8 +333,10 @@ pub(crate) fn refold(
         fold_angles: to_numbers("fold_angles", &fold_angles, own.creases.len(), "creases")?,
         targets: to_numbers("targets", &targets, own.creases.len(), "creases")?,
     };
-    let Told { targets, stop, steps, time_step, residual, distance, attempts, reactions, run } = depythonize(told)?;
-    let folded = origami::Folded { state, targets, stop, steps, time_step, residual, distance, attempts, reactions };
+    let Told { targets, stop, steps, time_step, residual, distance, attempts, saddles, reactions, run } =
+        depythonize(told)?;
+    let folded =
+        origami::Folded { state, targets, stop, steps, time_step, residual, distance, attempts, saddles, reactions };
     Ok(Folded::new(model.clone().unbind(), folded, run))
 }
 

@@ -113,6 +113,7 @@ fn relax(settings: &Bound<'_, PyAny>) -> PyResult<Relax> {
         perturbation: share(settings, "perturbation")?,
         precision: precision(settings)?,
         threads: threads(settings)?,
+        ..Relax::default()
     })
 }
 

@@ -16,6 +16,8 @@ pub(crate) struct Measured {
     pub(crate) converged: bool,
     pub(crate) stop: Ending,
     pub(crate) attempts: u32,
+    #[serde(default)]
+    pub(crate) saddles: u32,
     pub(crate) residual: Option<f64>,
     pub(crate) distance: Option<f64>,
     pub(crate) strain: Option<Statistics>,
@@ -89,6 +91,7 @@ impl Measured {
             converged: folded.converged(),
             stop: folded.stop.into(),
             attempts: folded.attempts,
+            saddles: folded.saddles,
             residual: Some(folded.residual),
             distance: Some(folded.distance),
             strain: Some(strain.beams.into()),

@@ -29,6 +29,7 @@ const KEYS: [&str; 35] = [
     "converged",
     "stop",
     "attempts",
+    "saddles",
     "attitude",
     "residual",
     "distance",

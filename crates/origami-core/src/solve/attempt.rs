@@ -82,6 +82,7 @@ pub fn or_crushed(
         residual,
         distance: f64::INFINITY,
         attempts,
+        saddles: 0,
         reactions: forces.reactions().to_vec(),
     })
 }

@@ -15,7 +15,6 @@ use crate::outside::Outside;
 use crate::purpose::{Dispatch, Purpose};
 use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
-use crate::variant::Variant;
 use crate::{ensemble, inventory};
 
 impl Gpu {
@@ -52,8 +51,7 @@ impl<S: GpuMethod> OnGpu<S> {
     pub fn way(&self, model: &Model) -> Dispatch {
         let purpose = self.purpose([model].into_iter());
         let arrays = SheetArrays::new(model);
-        let variant = Variant::new(&arrays, purpose.scheme, Some(model.material));
-        Route::new(&arrays, &variant, purpose, self.gpu.is_hardware()).dispatch()
+        Route::new(&arrays, purpose, self.gpu.abilities()).dispatch()
     }
 
     /// What [`Solver::session`] gives, by its own name.
@@ -95,7 +93,7 @@ impl<S: GpuMethod> Solver for OnGpu<S> {
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
-        inventory::of(model, self.method.inventory(model), self.purpose([model].into_iter()), self.gpu.is_hardware())
+        inventory::of(model, self.method.inventory(model), self.purpose([model].into_iter()), self.gpu.abilities())
     }
 }
 

@@ -5,7 +5,8 @@ use origami_core::solve::{Dynamics, Integrator, TimeStep};
 
 use origami_core::twins::fire_update;
 
-use crate::blocks::Extent;
+use crate::blocks::{Extent, MEMORY};
+use crate::device::Abilities;
 use crate::engine::sizes;
 use crate::kernels::{Binding, Kernel, Per};
 use crate::layout::Node;
@@ -85,7 +86,11 @@ impl Traffic {
     fn of(model: &Model, scheme: Scheme, safe: bool, dispatch: Dispatch) -> Self {
         let arrays = SheetArrays::new(model);
         let plain = Variant::new(&arrays, scheme, Some(model.material));
-        let route = Route::new(&arrays, &plain, Purpose { scheme, safe, dispatch }, false);
+        let route = Route::new(
+            &arrays,
+            Purpose { scheme, safe, dispatch },
+            Abilities { hardware: false, workgroup_storage: MEMORY },
+        );
         let variant = route.variant(&plain);
         let buffers = sizes(&arrays, &variant, &route).into_iter();
         let mut buffers: Vec<_> = buffers.map(|(binding, each, once)| (binding, each + once)).collect();

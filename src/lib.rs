@@ -56,6 +56,7 @@
 //! | `gpu` | the module `gpu`: the same solvers through wgpu; `gpu.with(Relax::default())` is a [`Solver`] like any other |
 //! | `render` | the module `picture`: pictures and films on the CPU; with `gpu` also `gpu::render` |
 //! | `newton` | `Newton`: equilibria to a residual of 1e-10, the reference that errors are measured against |
+//! | `analysis` | the module `analysis`: structures with supports and loads, paths through snap-through |
 //! | `study` | the module `study`: error against run time, and what holds on stiff and extreme scenes |
 //! | `serde` | `Serialize` and `Deserialize` for settings, scenes, states and saved simulations |
 //! | `files`, `parallel` | on by default: paths, and threads |

@@ -17,7 +17,7 @@ const SHADERS: &str = "shaders/src";
 const STUDY: &str = "crates/origami-study/src";
 
 /// Each module of the core, and those that it may use.
-const MAY_USE: [(&str, &[&str]); 18] = [
+const MAY_USE: [(&str, &[&str]); 19] = [
     ("csr", &[]),
     ("ids", &[]),
     ("error", &["ids"]),
@@ -34,12 +34,13 @@ const MAY_USE: [(&str, &[&str]); 18] = [
     ("forces", &["ids", "model", "scene"]),
     ("kernel", &["csr", "forces", "ids", "model", "parallel", "scene", "twins"]),
     ("solve", &["csr", "error", "flat", "forces", "ids", "kernel", "model", "parallel", "scene", "twins"]),
+    ("analysis", &["error", "fold", "forces", "ids", "mesh", "model", "pattern", "scene", "solve"]),
     ("measure", &["error", "flat", "forces", "ids", "mesh", "model", "pattern", "rigid", "scene", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "scene", "solve"]),
 ];
 
 /// The workspace's crates: where each has its sources, and the file of its root module.
-const CRATES: [(&str, &str); 8] = [
+const CRATES: [(&str, &str); 9] = [
     (CORE, "lib.rs"),
     ("crates/origami-formats/src", "lib.rs"),
     (GPU, "lib.rs"),
@@ -47,6 +48,7 @@ const CRATES: [(&str, &str); 8] = [
     (STUDY, "lib.rs"),
     ("crates/origami-cli/src", "main.rs"),
     (SHADERS, "lib.rs"),
+    ("bindings/python/src", "lib.rs"),
     ("src", "lib.rs"),
 ];
 
@@ -54,7 +56,7 @@ const CRATES: [(&str, &str); 8] = [
 const KNOWN: [(&str, &[&str]); 0] = [];
 
 /// Text that no line of code in a folder may hold, and why.
-const NOT_IN: [(&str, &str, &str); 20] = [
+const NOT_IN: [(&str, &str, &str); 21] = [
     (CORE, "wgpu", "the core knows no GPU"),
     (CORE, "naga", "the core knows no GPU"),
     (GPU, "clap", "the GPU's package knows no command line"),
@@ -65,6 +67,7 @@ const NOT_IN: [(&str, &str, &str); 20] = [
     (CORE, "indicatif", "the core knows no terminal"),
     (CORE, "println!", "a library does not print"),
     ("crates/origami-core/src/solve", "HashMap", "the order of a hash map is not the same in every run"),
+    ("crates/origami-core/src/analysis", "HashMap", "the order of a hash map is not the same in every run"),
     ("crates/origami-core/src/forces", "acos(", "its slope is infinite at 0 and pi, and rounding makes it NaN"),
     ("crates/origami-core/src/forces", "asin(", "its slope is infinite at -1 and 1"),
     ("crates/origami-picture/src", "wgpu", "pictures need no GPU"),

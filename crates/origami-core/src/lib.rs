@@ -39,6 +39,7 @@
 //! | [`forces`] | the formulas: energies, forces and second derivatives, one kind of spring a file |
 //! | [`scene`] | [`Scene`]: target angles, supports, loads, forces of one's own |
 //! | [`solve`] | [`Simulation`], which can be stepped and steered; the drivers [`Relax`], [`Dynamics`] and `Newton`; many sheets at once |
+//! | `analysis` | structures of bars and hinges: supports, loads, paths through snap-through (feature `analysis`) |
 //! | [`measure`] | strain, angle errors, distance between states, warnings of scenes that go wrong |
 //! | [`export`] | FOLD, OBJ and STL |
 //! | [`error`], [`ids`] | errors and warnings that name a place; typed indices |
@@ -51,10 +52,13 @@
 //! - `parallel` (default): threads. Without it one thread does everything, and the same bits come out.
 //! - `serde`: `Serialize` and `Deserialize` for settings, scenes, saved simulations, ids and vectors.
 //! - `newton`: the solver `Newton`, which needs sparse factorisations.
+//! - `analysis`: the module `analysis`, which needs them too.
 //!
 //! Without its default features the crate uses no thread, no file and no clock, and builds for `wasm32-unknown-unknown`.
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "analysis")]
+pub mod analysis;
 pub mod csr;
 pub mod error;
 pub mod export;

@@ -8,10 +8,13 @@ use crate::limits::{AdapterLimits, Lack};
 
 /// Nodes from which a hardware GPU is taken where nothing else is asked for.
 ///
-/// An estimate until figures of hardware are taken: the processor needs some 54 ns for a node and step (`BENCHMARKS.md`),
+/// An estimate until figures of hardware are taken (`./on-a-gpu` takes them): the processor needs some 54 ns for a node and step (`BENCHMARKS.md`),
 /// half a millisecond for a step of this size. A step on a GPU is three dispatches of dynamics or five of a relaxation, which
 /// cost as much to start on a small sheet as on a large one.
 pub const AUTO_NODES: usize = 10_000;
+
+/// Whether [`AUTO_NODES`] is what measurements came to, and not an estimate. Reports and help say so where it is not.
+pub const AUTO_NODES_MEASURED: bool = false;
 
 /// The environment variable that names an adapter.
 const VARIABLE: &str = "ORIGAMI_ADAPTER";

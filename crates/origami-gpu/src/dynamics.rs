@@ -1,15 +1,18 @@
 //! The paper's motion on a GPU.
 
-use std::ops::ControlFlow;
+use std::collections::BTreeMap;
+use std::ops::{ControlFlow, Range};
 
 use origami_core::scene::{Held, Refusal};
-use origami_core::solve::{Dynamics, Failed, Folded, Instance, Integrator, Progress, TimeStep, time_step};
+use origami_core::solve::{Dynamics, Failed, Instance, Integrator, TimeStep, time_step};
 
 use crate::engine::Engine;
+use crate::error::GpuError;
 use crate::layout::Control;
-use crate::outcome::{backend, checked, folded, placed, progress, refused};
+use crate::outcome::{backend, checked, folded, placed, progress};
 use crate::purpose::{Dispatch, Purpose};
-use crate::run::Beginning;
+use crate::run::{Beginning, Ending};
+use crate::stream::{Asked, Sheets};
 use crate::variant::Scheme;
 
 /// What an engine for dynamics has to do. `damped`: whether some of the models have damping.
@@ -18,31 +21,69 @@ pub(crate) fn purpose(dynamics: &Dynamics, damped: bool, dispatch: Dispatch) -> 
     Purpose { scheme: Scheme::Dynamics { verlet, damped }, safe: dynamics.time_step == TimeStep::Safe, dispatch }
 }
 
-/// Runs instances to their ends; results in their order.
-pub(crate) fn run(
-    dynamics: &Dynamics,
-    engine: &mut Engine,
-    instances: &[Instance<'_>],
-    observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
-) -> Vec<Result<Folded, Failed>> {
-    let targets: Result<Vec<_>, _> = instances.iter().map(|i| targets(dynamics, i)).collect();
-    let targets = match targets {
-        Ok(targets) => targets,
-        Err(refusal) => return refused(instances, &refusal),
-    };
-    let beginnings: Vec<Beginning<'_>> =
-        instances.iter().zip(&targets).map(|(i, targets)| beginning(dynamics, i, targets.clone())).collect();
-    let mut report = |i: usize, control: &Control| observe(i, progress(control));
-    let endings = match engine.run(&beginnings, &mut report) {
-        Ok(endings) => endings,
-        Err(error) => return instances.iter().map(|i| Err(backend(error.clone(), &i.start, 0))).collect(),
-    };
-    let scheme = engine.variant.scheme;
-    let came_to = |((instance, targets), ending): ((&Instance<'_>, Vec<f64>), _)| {
+/// Runs instances to their ends.
+pub(crate) fn run<'r>(dynamics: &'r Dynamics, engine: &Engine, asked: Asked<'r, '_>) {
+    let waiting = 0..asked.instances.len();
+    let mut motions = Motions { dynamics, asked, waiting, running: BTreeMap::new(), scheme: engine.variant.scheme };
+    if let Err(error) = engine.stream(&mut motions) {
+        motions.gave_up(&error);
+    }
+}
+
+/// Instances in motion.
+struct Motions<'r, 'm> {
+    dynamics: &'r Dynamics,
+    asked: Asked<'r, 'm>,
+    /// Those that are to begin, by their places.
+    waiting: Range<usize>,
+    /// Those that are on the GPU, with their targets.
+    running: BTreeMap<usize, Vec<f64>>,
+    scheme: Scheme,
+}
+
+impl<'m> Sheets<'m> for Motions<'_, 'm> {
+    fn next(&mut self) -> Option<(usize, Beginning<'m>)> {
+        loop {
+            let i = self.waiting.next()?;
+            let instance = self.asked.instances[i];
+            match targets(self.dynamics, instance) {
+                Ok(targets) => {
+                    self.running.insert(i, targets.clone());
+                    return Some((i, beginning(self.dynamics, instance, targets)));
+                }
+                Err(refusal) => {
+                    // Whoever wants no more is told nothing more.
+                    let refused = Err(Failed::refused(refusal, &instance.start));
+                    if (self.asked.take)(i, refused).is_break() {
+                        self.waiting = 0..0;
+                    }
+                }
+            }
+        }
+    }
+
+    fn look(&mut self, i: usize, control: &Control) -> ControlFlow<()> {
+        (self.asked.observe)(i, progress(control))
+    }
+
+    fn end(&mut self, i: usize, ending: Ending) -> ControlFlow<()> {
+        let Some(targets) = self.running.remove(&i) else { return ControlFlow::Continue(()) };
+        let instance = self.asked.instances[i];
         let held = Held::new(instance.model, &instance.scene);
-        folded(instance, held, targets, dynamics.steps.is_some(), ending, scheme)
-    };
-    instances.iter().zip(targets).zip(&endings).map(came_to).collect()
+        let steps_asked = self.dynamics.steps.is_some();
+        (self.asked.take)(i, folded(instance, held, targets, steps_asked, &ending, self.scheme))
+    }
+}
+
+impl Motions<'_, '_> {
+    /// Every instance that has no result fails for the same reason.
+    fn gave_up(self, error: &GpuError) {
+        for i in self.running.keys().copied().chain(self.waiting) {
+            if (self.asked.take)(i, Err(backend(error.clone(), &self.asked.instances[i].start, 0))).is_break() {
+                return;
+            }
+        }
+    }
 }
 
 /// What is asked of the creases of an instance, where this can run it. Whoever asks for so many steps may watch a sheet fall.

@@ -118,6 +118,16 @@ impl Engine {
         }
     }
 
+    /// Whether dynamics renews its time step, which no sheet does at its first step.
+    pub(crate) fn renews_time_step(&self) -> bool {
+        !self.variant.relaxing() && self.passes.renewal > 0
+    }
+
+    /// So many steps as whole dispatches that are no fewer.
+    pub(crate) fn whole_dispatches(&self, steps: u64) -> u64 {
+        if self.passes.stride > 1 { steps.next_multiple_of(CHECK_INTERVAL) } else { steps }
+    }
+
     /// What may act on its sheets from outside.
     pub(crate) fn outside(&self) -> Outside {
         Outside { holds: self.variant.fixed, loaded: self.load_slots.iter().map(|(node, _)| *node).collect() }

@@ -1,4 +1,4 @@
-//! Many sheets in one run: instances whose springs lie in the same places share one buffer set.
+//! Many sheets at once: instances whose springs lie in the same places pass through one buffer set.
 
 use std::ops::ControlFlow;
 
@@ -7,11 +7,17 @@ use origami_core::solve::{Failed, Folded, Instance, Progress};
 
 use crate::device::Gpu;
 use crate::engine::{Engine, most_instances, uniform};
+use crate::error::GpuError;
 use crate::method::Method;
 use crate::outcome::backend;
 use crate::outside::Outside;
 use crate::purpose::Purpose;
 use crate::sheet_arrays::{SheetArrays, same_springs};
+use crate::stream::Asked;
+
+/// Nodes of all sheets that are on the GPU at once, beyond which more of them make nothing faster: several for each thread
+/// that a GPU has, in some 0.6 GB. An estimate; `./on-a-gpu` measures ensembles.
+const NODES_AT_ONCE: usize = 1 << 20;
 
 /// Runs all instances; each result goes to `take` as soon as there is one.
 pub(crate) fn fold_each(
@@ -22,23 +28,24 @@ pub(crate) fn fold_each(
     observe: &(dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
     take: &(dyn Fn(usize, Result<Folded, Failed>) -> ControlFlow<()> + Sync),
 ) {
-    let most = |arrays: &SheetArrays| most_instances(gpu, arrays, purpose);
+    let most =
+        |arrays: &SheetArrays| most_instances(gpu, arrays, purpose).min(NODES_AT_ONCE / arrays.nodes.max(1)).max(1);
     let _ = in_runs(gpu, method, purpose, (instances, observe, take), most);
 }
 
 /// Instances, who watches them and who takes what they come to.
-type Asked<'a> = (
+pub(crate) type Given<'a> = (
     &'a [Instance<'a>],
     &'a (dyn Fn(usize, Progress) -> ControlFlow<()> + Sync),
     &'a (dyn Fn(usize, Result<Folded, Failed>) -> ControlFlow<()> + Sync),
 );
 
-/// The same with at most as many instances in one run as `most` says of their arrays.
-fn in_runs(
+/// The same with at most as many instances at once as `most` says of their arrays.
+pub(crate) fn in_runs(
     gpu: &Gpu,
     method: Method<'_>,
     purpose: Purpose,
-    (instances, observe, take): Asked<'_>,
+    (instances, observe, take): Given<'_>,
     most: impl Fn(&SheetArrays) -> usize,
 ) -> ControlFlow<()> {
     let mut sound = Vec::with_capacity(instances.len());
@@ -53,18 +60,39 @@ fn in_runs(
         let models = different(group.iter().map(|i| instances[*i].model));
         let outside = Outside::of(group.iter().map(|i| &instances[*i].scene));
         let arrays = SheetArrays::with_outside(models[0], &outside);
-        let most = most(&arrays);
-        let mut engine = Engine::of_arrays(gpu, &arrays, uniform(&models), purpose, group.len().min(most));
-        for part in group.chunks(most) {
-            let own: Vec<Instance<'_>> = part.iter().map(|i| instances[*i].clone()).collect();
-            let came_to = match &mut engine {
-                Ok(engine) => method.run(engine, &own, &mut |slot, progress| observe(part[slot], progress)),
-                Err(error) => own.iter().map(|i| Err(backend(error.clone(), &i.start, 0))).collect(),
-            };
-            part.iter().zip(came_to).try_for_each(|(i, result)| take(*i, result))?;
+        let at_once = group.len().min(most(&arrays)).max(1);
+        match fitting(at_once, |at_once| Engine::of_arrays(gpu, &arrays, uniform(&models), purpose, at_once)) {
+            Ok(engine) => {
+                let own: Vec<&Instance<'_>> = group.iter().map(|i| &instances[*i]).collect();
+                let mut goes_on = ControlFlow::Continue(());
+                let asked = Asked {
+                    instances: &own,
+                    observe: &mut |i, progress| observe(group[i], progress),
+                    take: &mut |i, result| {
+                        goes_on = take(group[i], result);
+                        goes_on
+                    },
+                };
+                method.run(&engine, asked);
+                goes_on?;
+            }
+            Err(error) => {
+                group.iter().try_for_each(|i| take(*i, Err(backend(error.clone(), &instances[*i].start, 0))))?
+            }
         }
     }
     ControlFlow::Continue(())
+}
+
+/// What `make` makes for so many, or for half as many where memory does not suffice, and so on.
+fn fitting<T>(most: usize, mut make: impl FnMut(usize) -> Result<T, GpuError>) -> Result<T, GpuError> {
+    let mut count = most;
+    loop {
+        match make(count) {
+            Err(GpuError::OutOfMemory(_)) if count > 1 => count /= 2,
+            made => return made,
+        }
+    }
 }
 
 /// The models, each once.
@@ -149,6 +177,23 @@ mod tests {
             assert_eq!(&folded.state, state, "{:?}", instance.scene.targets);
         }
         assert!(at_once.windows(2).all(|pair| pair[0] != pair[1]), "each has its own");
+    }
+
+    #[test]
+    fn fewer_go_at_once_where_memory_does_not_suffice() {
+        let details = || crate::Details("full".to_owned());
+        let room_for = |room: usize, most: usize| {
+            fitting(most, |count| if count <= room { Ok(count) } else { Err(GpuError::OutOfMemory(details())) })
+        };
+        assert_eq!(room_for(100, 70), Ok(70));
+        assert_eq!(room_for(100, 1000), Ok(62));
+        assert_eq!(room_for(0, 1000), Err(GpuError::OutOfMemory(details())), "not even one");
+        let mut tries = 0;
+        let lost = fitting(64, |_| {
+            tries += 1;
+            Err::<(), _>(GpuError::Lost("gone".to_owned()))
+        });
+        assert_eq!((lost.is_err(), tries), (true, 1), "nothing else is tried again");
     }
 
     #[test]

@@ -38,8 +38,8 @@ pub enum GpuError {
     #[error("the GPU was lost: {0}")]
     Lost(String),
     /// A buffer does not fit into its memory.
-    #[error("the GPU has too little memory: {0}")]
-    OutOfMemory(String),
+    #[error("the GPU has too little memory (expected a smaller sheet, another adapter, or the same solver on the CPU)")]
+    OutOfMemory(#[source] Details),
     /// The sheet needs more than the adapter can do.
     #[error("{what} needs {needed} bytes; the adapter allows {allowed} (expected a smaller sheet or another adapter)")]
     TooLarge {
@@ -58,17 +58,28 @@ pub enum GpuError {
         /// How many are allowed.
         allowed: u64,
     },
-    /// A mistake of ours that wgpu refused, or a driver that fails.
+    /// It cannot be opened, or its driver does not do what it was asked for.
     #[error("the GPU refused: {0}")]
     Refused(String),
+    /// wgpu found fault with a call of ours: no input should bring that about.
+    #[error(
+        "the GPU was asked for what it cannot do, which is a mistake of this program or of the GPU's driver (expected another \
+         adapter, or the same solver on the CPU)"
+    )]
+    Mistake(#[source] Details),
 }
+
+/// What wgpu says, for whoever looks for a mistake: the source of an error, and no part of its message.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct Details(pub String);
 
 impl From<wgpu::Error> for GpuError {
     fn from(error: wgpu::Error) -> Self {
         match error {
-            wgpu::Error::OutOfMemory { source } => Self::OutOfMemory(source.to_string()),
+            wgpu::Error::OutOfMemory { source } => Self::OutOfMemory(Details(one_line(&source.to_string()))),
             wgpu::Error::Validation { description, .. } | wgpu::Error::Internal { description, .. } => {
-                Self::Refused(one_line(&description))
+                Self::Mistake(Details(one_line(&description)))
             }
         }
     }

@@ -13,6 +13,7 @@ pub(crate) const NONE: u32 = u32::MAX;
 
 /// Why an instance stands still.
 pub(crate) const SETTLED: u32 = 1;
+pub(crate) const LIMITED: u32 = 3;
 
 /// A node: its position is `high * QUANTUM + low`.
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
@@ -295,6 +296,7 @@ mod tests {
         let constants = [
             ("NONE: u32", format!("{NONE:#x}u")),
             ("SETTLED: u32", format!("{SETTLED}u")),
+            ("LIMITED: u32", format!("{LIMITED}u")),
             ("ALONE: u32", format!("{ALONE:#x}u")),
             ("RIGHT: u32", format!("{RIGHT:#x}u")),
             ("CREASE: u32", format!("{CREASE:#x}u")),

@@ -57,6 +57,7 @@ mod error;
 mod inventory;
 mod kernels;
 mod layout;
+mod leaving;
 mod limits;
 mod mapped;
 mod method;
@@ -79,14 +80,15 @@ mod simulation;
 mod single;
 mod solver;
 mod steering;
+mod stream;
 #[cfg(test)]
 mod testing;
 mod traffic;
 mod variant;
 
-pub use adapter::{AUTO_NODES, AdapterChoice, AdapterKind, AdapterSummary, adapters};
+pub use adapter::{AUTO_NODES, AUTO_NODES_MEASURED, AdapterChoice, AdapterKind, AdapterSummary, adapters};
 pub use device::Gpu;
-pub use error::GpuError;
+pub use error::{Details, GpuError};
 pub use limits::{AdapterLimits, Lack};
 pub use method::GpuMethod;
 pub use paper::PaperDynamics;

@@ -12,7 +12,7 @@ use crate::error::GpuError;
 /// How long a callback may take that another thread has found due: it is about to run.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// The first elements of a buffer, copied and asked for.
+/// Elements of a buffer, copied and asked for.
 #[derive(Debug)]
 pub(crate) struct Reading<T> {
     mapped: Mapped,
@@ -23,16 +23,18 @@ pub(crate) struct Reading<T> {
 }
 
 impl<T: Pod> Reading<T> {
-    /// Submits what `encoder` has recorded, and after it a copy of the first `count` elements of `from`; `what` they are, for
-    /// people. A refusal goes to the error scope that this is called in.
+    /// Submits what `encoder` has recorded, and after it copies of rows of `from`, which are numbered and have `each` elements;
+    /// `what` they are, for people. A refusal goes to the error scope that this is called in.
     pub(crate) fn new(
         gpu: &Gpu,
         mut encoder: wgpu::CommandEncoder,
         from: &wgpu::Buffer,
-        count: usize,
+        rows: &[usize],
+        each: usize,
         what: &'static str,
     ) -> Self {
-        let size = (count * size_of::<T>()) as u64;
+        let row = (each * size_of::<T>()) as u64;
+        let size = rows.len() as u64 * row;
         let copy = gpu.device().create_buffer(&wgpu::BufferDescriptor {
             label: Some("what is read"),
             size: size.max(4),
@@ -40,7 +42,9 @@ impl<T: Pod> Reading<T> {
             mapped_at_creation: false,
         });
         if size > 0 {
-            encoder.copy_buffer_to_buffer(from, 0, &copy, 0, size);
+            for (to, number) in (0..).zip(rows) {
+                encoder.copy_buffer_to_buffer(from, *number as u64 * row, &copy, to * row, row);
+            }
         }
         let submission = gpu.queue().submit([encoder.finish()]);
         Self { mapped: Mapped::new(copy), size, submission, what, elements: PhantomData }

@@ -1,14 +1,13 @@
 //! Which of the core's solvers a GPU can compute.
 
-use std::ops::ControlFlow;
-
 use origami_core::model::Model;
-use origami_core::scene::Refusal;
-use origami_core::solve::{Dynamics, Failed, Folded, Instance, Progress, Relax, Solver, State, TimeStep};
+use origami_core::scene::{Refusal, Scene};
+use origami_core::solve::{Dynamics, Instance, Relax, Solver, State, TimeStep};
 
 use crate::engine::Engine;
 use crate::purpose::{Dispatch, Purpose};
 use crate::run::Beginning;
+use crate::stream::Asked;
 use crate::{dynamics, relax, single};
 
 /// A solver of the core that a GPU can compute: [`Relax`] or [`Dynamics`]. No other type can have this trait.
@@ -69,7 +68,7 @@ pub enum Method<'a> {
     Dynamics(&'a Dynamics),
 }
 
-impl Method<'_> {
+impl<'r> Method<'r> {
     /// What an engine for `models` has to do.
     pub(crate) fn purpose<'m>(self, dispatch: Dispatch, mut models: impl Iterator<Item = &'m Model>) -> Purpose {
         match self {
@@ -106,7 +105,7 @@ impl Method<'_> {
     pub(crate) fn beginning<'m>(self, instance: &Instance<'m>, targets: Vec<f64>) -> Beginning<'m> {
         match self {
             Self::Relax(method) => {
-                let attempt = method.first_attempt(instance.model, &instance.start, &targets);
+                let attempt = method.first_attempt((instance.model, &instance.scene), &instance.start, &targets);
                 relax::beginning(method, instance, &targets, attempt)
             }
             Self::Dynamics(method) => dynamics::beginning(method, instance, targets),
@@ -116,21 +115,16 @@ impl Method<'_> {
     /// Evaluations of the ramp from the targets of `start` to others.
     pub(crate) fn ramp(self, model: &Model, start: &State, targets: &[f64]) -> u32 {
         match self {
-            Self::Relax(method) => method.first_attempt(model, start, targets).ramp,
+            Self::Relax(method) => method.first_attempt((model, &Scene::default()), start, targets).ramp,
             Self::Dynamics(method) => method.ramp,
         }
     }
 
-    /// Runs instances, no more than the engine was built for, to their ends; results in their order.
-    pub(crate) fn run(
-        self,
-        engine: &mut Engine,
-        instances: &[Instance<'_>],
-        observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
-    ) -> Vec<Result<Folded, Failed>> {
+    /// Runs instances to their ends, as many at once as the engine has room for.
+    pub(crate) fn run(self, engine: &Engine, asked: Asked<'r, '_>) {
         match self {
-            Self::Relax(method) => relax::run(method, engine, instances, observe),
-            Self::Dynamics(method) => dynamics::run(method, engine, instances, observe),
+            Self::Relax(method) => relax::run(method, engine, asked),
+            Self::Dynamics(method) => dynamics::run(method, engine, asked),
         }
     }
 }

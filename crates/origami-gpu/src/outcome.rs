@@ -38,11 +38,6 @@ pub(crate) fn checked(instance: &Instance<'_>) -> Result<Vec<f64>, Refusal> {
 /// What cannot compute a thing, as refusals call it.
 pub(crate) const GPU: &str = "a GPU";
 
-/// Instances of which one cannot be run: those that run together are refused together.
-pub(crate) fn refused(instances: &[Instance<'_>], refusal: &Refusal) -> Vec<Result<Folded, Failed>> {
-    instances.iter().map(|instance| Err(Failed::refused(refusal.clone(), &instance.start))).collect()
-}
-
 /// Where an instance begins: its start, with the nodes of supports where they are held.
 pub(crate) fn placed(instance: &Instance<'_>) -> State {
     let mut state = instance.start.clone();

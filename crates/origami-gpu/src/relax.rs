@@ -1,5 +1,6 @@
-//! Relaxation on a GPU: the core's attempts, each one run of the engine.
+//! Relaxation on a GPU: the core's attempts, each of which passes through the engine.
 
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::ops::ControlFlow;
 
 use origami_core::scene::{Held, Refusal};
@@ -9,9 +10,10 @@ use origami_core::solve::{Failed, Folded, Instance, Progress, Relax, Stop};
 use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::layout::Control;
-use crate::outcome::{backend, checked, folded, progress, refused};
+use crate::outcome::{backend, checked, folded, progress};
 use crate::purpose::{Dispatch, Purpose};
-use crate::run::Beginning;
+use crate::run::{Beginning, Ending};
+use crate::stream::{Asked, Sheets};
 use crate::variant::Scheme;
 
 /// What an engine for a relaxation has to do.
@@ -20,64 +22,96 @@ pub(crate) fn purpose(dispatch: Dispatch) -> Purpose {
 }
 
 /// Runs instances until each has made all its attempts.
-pub(crate) fn run(
-    relax: &Relax,
-    engine: &mut Engine,
-    instances: &[Instance<'_>],
-    observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
-) -> Vec<Result<Folded, Failed>> {
-    let targets: Result<Vec<_>, _> = instances.iter().map(targets).collect();
-    let targets = match targets {
-        Ok(targets) => targets,
-        Err(refusal) => return refused(instances, &refusal),
-    };
-    let first = |(i, to): (&Instance<'_>, &Vec<f64>)| relax.first_attempt(i.model, &i.start, to);
-    let mut active: Vec<(usize, Attempt)> = instances.iter().zip(&targets).map(first).enumerate().collect();
-    let mut best_so_far: Vec<Option<Result<Folded, Failed>>> = instances.iter().map(|_| None).collect();
-    while !active.is_empty() {
-        let beginnings: Vec<Beginning<'_>> =
-            active.iter().map(|(i, attempt)| beginning(relax, &instances[*i], &targets[*i], *attempt)).collect();
-        let so_far = |i: usize| best_so_far[i].as_ref().map_or(0, steps_of);
-        let mut report = |slot: usize, control: &Control| {
-            let i = active[slot].0;
-            let own = progress(control);
-            observe(i, Progress { step: so_far(i) + own.step, ..own })
-        };
-        let endings = match engine.run(&beginnings, &mut report) {
-            Ok(endings) => endings,
-            Err(error) => {
-                return gave_up(best_so_far, instances, &active, &error);
-            }
-        };
-        let cancelled = endings.iter().any(|ending| ending.cancelled);
-        let mut next = Vec::new();
-        for ((i, attempt), ending) in active.into_iter().zip(&endings) {
-            let instance = &instances[i];
-            let held = Held::new(instance.model, &instance.scene);
-            let came_to = folded(instance, held, targets[i].clone(), relax.steps.is_some(), ending, Scheme::Relax);
-            let best = match best_so_far[i].take() {
-                None => came_to,
-                Some(kept) => {
-                    let broken_off = came_to.as_ref().is_ok_and(|other| other.stop == Stop::Cancelled);
-                    let best = better((instance.model, &instance.scene), kept, came_to, attempt.number);
-                    if broken_off { best.map(|kept| Folded { stop: Stop::Cancelled, ..kept }) } else { best }
-                }
-            };
-            if !cancelled && let Some(another) = relax.next_attempt(instance.model, &instance.start, attempt, &best) {
-                next.push((i, another));
-                best_so_far[i] = Some(best);
-                continue;
-            }
-            let ended = if relax.retries() && !cancelled {
-                or_crushed((instance.model, &instance.scene), best, attempt.number)
-            } else {
-                best
-            };
-            best_so_far[i] = Some(ended);
-        }
-        active = next;
+pub(crate) fn run<'r>(relax: &'r Relax, engine: &Engine, asked: Asked<'r, '_>) {
+    let waiting = (0..asked.instances.len()).map(|i| (i, None)).collect();
+    let mut attempts = Attempts { relax, asked, waiting, running: BTreeMap::new(), best: BTreeMap::new() };
+    if let Err(error) = engine.stream(&mut attempts) {
+        attempts.gave_up(&error);
     }
-    best_so_far.into_iter().flatten().collect()
+}
+
+/// Instances on their way through their attempts.
+struct Attempts<'r, 'm> {
+    relax: &'r Relax,
+    asked: Asked<'r, 'm>,
+    /// Those that are to begin, by their places; without an attempt their first.
+    waiting: VecDeque<(usize, Option<Attempt>)>,
+    /// Those that are on the GPU, with their targets.
+    running: BTreeMap<usize, (Attempt, Vec<f64>)>,
+    /// What came of the attempts before, of those that make another.
+    best: BTreeMap<usize, Result<Folded, Failed>>,
+}
+
+impl<'m> Sheets<'m> for Attempts<'_, 'm> {
+    fn next(&mut self) -> Option<(usize, Beginning<'m>)> {
+        loop {
+            let (i, attempt) = self.waiting.pop_front()?;
+            let instance = self.asked.instances[i];
+            match targets(instance) {
+                Ok(targets) => {
+                    let first =
+                        || self.relax.first_attempt((instance.model, &instance.scene), &instance.start, &targets);
+                    let attempt = attempt.unwrap_or_else(first);
+                    let beginning = beginning(self.relax, instance, &targets, attempt);
+                    self.running.insert(i, (attempt, targets));
+                    return Some((i, beginning));
+                }
+                Err(refusal) => {
+                    // Whoever wants no more is told nothing more.
+                    let refused = Err(Failed::refused(refusal, &instance.start));
+                    if (self.asked.take)(i, refused).is_break() {
+                        self.waiting.clear();
+                    }
+                }
+            }
+        }
+    }
+
+    fn look(&mut self, i: usize, control: &Control) -> ControlFlow<()> {
+        let before = self.best.get(&i).map_or(0, steps_of);
+        let own = progress(control);
+        (self.asked.observe)(i, Progress { step: before + own.step, ..own })
+    }
+
+    fn end(&mut self, i: usize, ending: Ending) -> ControlFlow<()> {
+        let Some((attempt, targets)) = self.running.remove(&i) else { return ControlFlow::Continue(()) };
+        let instance = self.asked.instances[i];
+        let (model, scene, cancelled) = (instance.model, &instance.scene, ending.cancelled);
+        let steps_asked = self.relax.steps.is_some();
+        let came_to = folded(instance, Held::new(model, scene), targets, steps_asked, &ending, Scheme::Relax);
+        let best = match self.best.remove(&i) {
+            None => came_to,
+            Some(kept) => {
+                let broken_off = came_to.as_ref().is_ok_and(|other| other.stop == Stop::Cancelled);
+                let best = better((model, scene), kept, came_to, attempt.number);
+                if broken_off { best.map(|kept| Folded { stop: Stop::Cancelled, ..kept }) } else { best }
+            }
+        };
+        if !cancelled && let Some(another) = self.relax.next_attempt((model, scene), &instance.start, attempt, &best) {
+            self.best.insert(i, best);
+            self.waiting.push_front((i, Some(another)));
+            return ControlFlow::Continue(());
+        }
+        let crushed = self.relax.retries() && !cancelled;
+        (self.asked.take)(i, if crushed { or_crushed((model, scene), best, attempt.number) } else { best })
+    }
+}
+
+impl Attempts<'_, '_> {
+    /// Every instance that has no result fails for the same reason, with the best state that is known of it.
+    fn gave_up(mut self, error: &GpuError) {
+        let unfinished: BTreeSet<usize> =
+            self.running.keys().copied().chain(self.waiting.iter().map(|(i, _)| *i)).collect();
+        for i in unfinished {
+            let failed = match self.best.remove(&i) {
+                Some(Ok(read)) => backend(error.clone(), &read.state, read.steps),
+                _ => backend(error.clone(), &self.asked.instances[i].start, 0),
+            };
+            if (self.asked.take)(i, Err(failed)).is_break() {
+                return;
+            }
+        }
+    }
 }
 
 /// What is asked of the creases of an instance, where this can run it.
@@ -107,19 +141,4 @@ pub(crate) fn beginning<'m>(
         time_step: 0.0,
         damping_sum: 0.0,
     }
-}
-
-/// Every instance that has no result fails for the same reason.
-fn gave_up(
-    best_so_far: Vec<Option<Result<Folded, Failed>>>,
-    instances: &[Instance<'_>],
-    active: &[(usize, Attempt)],
-    error: &GpuError,
-) -> Vec<Result<Folded, Failed>> {
-    let failed = |i: usize, result: Option<Result<Folded, Failed>>| match result {
-        Some(result) if active.iter().all(|(a, _)| *a != i) => result,
-        Some(Ok(read)) => Err(backend(error.clone(), &read.state, read.steps)),
-        _ => Err(backend(error.clone(), &instances[i].start, 0)),
-    };
-    best_so_far.into_iter().enumerate().map(|(i, result)| failed(i, result)).collect()
 }

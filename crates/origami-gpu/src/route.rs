@@ -36,6 +36,7 @@ impl Route {
         wanted.unwrap_or(Self::Passes)
     }
 
+    /// Its name.
     pub(crate) fn dispatch(&self) -> Dispatch {
         match self {
             Self::Passes => Dispatch::Passes,

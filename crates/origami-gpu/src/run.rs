@@ -1,4 +1,4 @@
-//! Runs an engine: writes where its instances begin, lets many steps go between two reads, and reads where they end.
+//! Runs an engine: writes where its instances begin, and lets many steps go between two reads.
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
@@ -13,12 +13,12 @@ use origami_core::twins::fire_update;
 use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::kernels::Binding;
-use crate::layout::{Control, CreaseState, NONE, Node, single};
+use crate::layout::{Control, CreaseState, LIMITED, NONE, Node, single};
 use crate::mapped::Reading;
 use crate::plan::batch;
 
 /// Submissions that are under way before the oldest is reading at: the queue never stands still.
-const AHEAD: usize = 2;
+pub(crate) const AHEAD: usize = 2;
 
 /// Where an instance begins, and how far it is to go.
 pub(crate) struct Beginning<'m> {
@@ -51,23 +51,59 @@ pub(crate) struct Ending {
     pub(crate) cancelled: bool,
 }
 
-impl Engine {
-    /// Runs the instances from where they begin; `observe` sees the control block of each now and then.
-    ///
-    /// # Errors
-    /// What the device says.
-    pub(crate) fn run(
-        &mut self,
-        beginnings: &[Beginning<'_>],
-        observe: &mut dyn FnMut(usize, &Control) -> ControlFlow<()>,
-    ) -> Result<Vec<Ending>, GpuError> {
-        assert!(beginnings.len() <= self.instances, "the engine was built for as many");
-        self.load(beginnings)?;
-        let limit = beginnings.iter().map(|b| b.limit).max().unwrap_or(0);
-        let (_, broken_off) = self.advance(beginnings.len(), 0, limit, observe)?;
-        self.endings(beginnings.len(), broken_off.is_break())
+impl Ending {
+    /// Of a sheet that has taken no step.
+    pub(crate) fn not_begun(beginning: &Beginning<'_>) -> Self {
+        let Written { mut controls, nodes, creases } = Written::of(std::slice::from_ref(beginning), false);
+        let control = controls.pop().unwrap_or_default();
+        Self { control, nodes, creases, checkpoint: None, cancelled: true }
     }
+}
 
+/// Beginnings as they lie in the buffers.
+struct Written {
+    controls: Vec<Control>,
+    nodes: Vec<Node>,
+    creases: Vec<CreaseState>,
+}
+
+impl Written {
+    /// `relaxing`: whether velocities have no meaning.
+    fn of(beginnings: &[Beginning<'_>], relaxing: bool) -> Self {
+        let mut controls = Vec::with_capacity(beginnings.len());
+        let (mut nodes, mut creases) = (Vec::new(), Vec::new());
+        let mut softness: Vec<f32> = Vec::new();
+        let mut of = None;
+        for beginning in beginnings {
+            controls.push(control(beginning));
+            // Neighbours in an ensemble mostly share their model.
+            if !of.is_some_and(|model| std::ptr::eq(model, beginning.model)) {
+                softness = row_sums::soft_sums(beginning.model).into_iter().map(|sum| narrow(1.0 / sum)).collect();
+                of = Some(beginning.model);
+            }
+            let (start, first) = (&beginning.state, nodes.len());
+            for ((position, velocity), softness) in start.positions.iter().zip(&start.velocities).zip(&softness) {
+                let velocity = if relaxing { DVec3::ZERO } else { *velocity };
+                let mut node = Node { mass: 1.0, softness: *softness, velocity: single(velocity), ..Node::default() };
+                node.set_position(*position);
+                nodes.push(node);
+            }
+            for (node, axes) in beginning.held.iter() {
+                nodes[first + node.index()].hold(axes);
+            }
+            let angles = start.fold_angles.iter().zip(&start.targets).zip(&beginning.targets);
+            creases.extend(angles.map(|((angle, start), end)| CreaseState {
+                angle: narrow(*angle),
+                moment: 0.0,
+                start_target: narrow(*start),
+                end_target: narrow(*end),
+            }));
+        }
+        Self { controls, nodes, creases }
+    }
+}
+
+impl Engine {
     /// Takes the steps `from..to` of its first instances, or fewer where all of them stop or `observe` breaks them off; hands
     /// back where they stand, and whether they were broken off.
     ///
@@ -109,7 +145,7 @@ impl Engine {
     }
 
     /// A kernel that was cut short would go unnoticed: a running instance has made all steps that were asked for.
-    fn check_steps(&self, controls: &[Control], to: u64) -> Result<(), GpuError> {
+    pub(crate) fn check_steps(&self, controls: &[Control], to: u64) -> Result<(), GpuError> {
         let behind = |c: &&Control| c.stop == 0 && c.bad_node == NONE && u64::from(c.step) < to.min(u64::from(c.limit));
         match controls.iter().find(behind) {
             Some(c) => Err(GpuError::Refused(format!(
@@ -120,62 +156,39 @@ impl Engine {
         }
     }
 
-    pub(crate) fn load(&self, beginnings: &[Beginning<'_>]) -> Result<(), GpuError> {
-        let relaxing = self.variant.relaxing();
-        let mut controls = Vec::with_capacity(beginnings.len());
-        let mut nodes = Vec::with_capacity(beginnings.len() * self.variant.nodes);
-        let mut creases = Vec::with_capacity(beginnings.len() * self.variant.creases);
-        let mut softness: Vec<f32> = Vec::new();
-        let mut of = None;
-        for beginning in beginnings {
-            controls.push(control(beginning));
-            // Neighbours in an ensemble mostly share their model.
-            if !of.is_some_and(|model| std::ptr::eq(model, beginning.model)) {
-                softness = row_sums::soft_sums(beginning.model).into_iter().map(|sum| narrow(1.0 / sum)).collect();
-                of = Some(beginning.model);
-            }
-            let start = &beginning.state;
-            for ((position, velocity), softness) in start.positions.iter().zip(&start.velocities).zip(&softness) {
-                let velocity = if relaxing { DVec3::ZERO } else { *velocity };
-                let mut node = Node { mass: 1.0, softness: *softness, velocity: single(velocity), ..Node::default() };
-                node.set_position(*position);
-                nodes.push(node);
-            }
-            let first = nodes.len() - self.variant.nodes;
-            for (node, axes) in beginning.held.iter() {
-                nodes[first + node.index()].hold(axes);
-            }
-            let angles = start.fold_angles.iter().zip(&start.targets).zip(&beginning.targets);
-            creases.extend(angles.map(|((angle, start), end)| CreaseState {
-                angle: narrow(*angle),
-                moment: 0.0,
-                start_target: narrow(*start),
-                end_target: narrow(*end),
-            }));
+    /// Writes where the instances from `first` on begin.
+    ///
+    /// # Errors
+    /// What the device says.
+    pub(crate) fn load(&self, first: usize, beginnings: &[Beginning<'_>]) -> Result<(), GpuError> {
+        if beginnings.is_empty() {
+            return Ok(());
         }
+        let Written { controls, nodes, creases } = Written::of(beginnings, self.variant.relaxing());
+        let (node_count, crease_count) = (self.variant.nodes, self.variant.creases);
         self.gpu.scoped(|| {
-            self.write(Binding::Control, &controls);
-            self.write(Binding::Nodes, &nodes);
+            self.write_from(first, 1, Binding::Control, &controls);
+            self.write_from(first, node_count, Binding::Nodes, &nodes);
             // The start is the first good state.
-            self.write(Binding::CheckpointNodes, &nodes);
+            self.write_from(first, node_count, Binding::CheckpointNodes, &nodes);
             if let Some(copies) = &self.copies {
                 let of_each = creases.chunks(copies.creases().max(1)).flat_map(|own| copies.spread(own));
                 let (angles, targets): (Vec<f32>, Vec<[f32; 2]>) =
                     of_each.map(|c| (c.angle, [c.start_target, c.end_target])).unzip();
-                self.write(Binding::Angles, &angles);
-                self.write(Binding::Targets, &targets);
-                self.write(Binding::CheckpointAngles, &angles);
+                self.write_from(first, crease_count, Binding::Angles, &angles);
+                self.write_from(first, crease_count, Binding::Targets, &targets);
+                self.write_from(first, crease_count, Binding::CheckpointAngles, &angles);
             } else {
                 let angles: Vec<f32> = creases.iter().map(|c: &CreaseState| c.angle).collect();
-                self.write(Binding::CreaseStates, &creases);
-                self.write(Binding::CheckpointAngles, &angles);
+                self.write_from(first, crease_count, Binding::CreaseStates, &creases);
+                self.write_from(first, crease_count, Binding::CheckpointAngles, &angles);
             }
-            self.write_loads(beginnings.iter().map(|b| &b.loads[..]));
+            self.write_loads(first, beginnings.iter().map(|b| &b.loads[..]));
         })
     }
 
-    /// Writes the loads of each instance, where there is room for any; the next step writes all other slots.
-    pub(crate) fn write_loads<'l>(&self, of_instances: impl ExactSizeIterator<Item = &'l [Load]>) {
+    /// Writes the loads of each instance from `first` on, where there is room for any; the next step writes all other slots.
+    pub(crate) fn write_loads<'l>(&self, first: usize, of_instances: impl ExactSizeIterator<Item = &'l [Load]>) {
         if self.load_slots.is_empty() {
             return;
         }
@@ -197,13 +210,26 @@ impl Engine {
                 slots[at][..3].copy_from_slice(&single(force));
             }
         }
-        self.write(binding, &slots);
+        self.write_from(first, each, binding, &slots);
     }
 
+    /// Writes the beginning of a buffer.
     pub(crate) fn write<T: Pod>(&self, binding: Binding, contents: &[T]) {
+        self.write_from(0, 0, binding, contents);
+    }
+
+    /// Writes a buffer that has `each` elements for an instance, from those of the instance `first` on.
+    fn write_from<T: Pod>(&self, first: usize, each: usize, binding: Binding, contents: &[T]) {
         if !contents.is_empty() {
-            self.gpu.queue().write_buffer(&self.buffers[&binding], 0, bytemuck::cast_slice(contents));
+            let from = (first * each * size_of::<T>()) as u64;
+            self.gpu.queue().write_buffer(&self.buffers[&binding], from, bytemuck::cast_slice(contents));
         }
+    }
+
+    /// Lets an instance stand still, after all that has been submitted.
+    pub(crate) fn stand_still(&self, instance: usize) {
+        // The first word of its control block.
+        self.write_from(instance, size_of::<Control>() / size_of::<u32>(), Binding::Control, &[LIMITED]);
     }
 
     pub(crate) fn submit(&self, instances: usize, from: u64, to: u64) -> Result<Reading<Control>, GpuError> {
@@ -214,71 +240,27 @@ impl Engine {
             {
                 let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
                 self.record(&mut pass, count, from, to);
-                // The last good state: once a batch, in however many submissions its steps come.
-                let batch = batch(self.variant.nodes * instances);
+                // The last good state: once a batch of one sheet, in however many submissions its steps come, and with however
+                // many others.
+                let batch = batch(self.variant.nodes);
                 if to / batch > from / batch {
                     self.record_checkpoint(&mut pass, count);
                 }
             }
-            self.start_reading(encoder, Binding::Control, instances)
+            Reading::new(&self.gpu, encoder, &self.buffers[&Binding::Control], &[0], instances, Binding::Control.what())
         })
     }
 
-    /// Copies the first `count` of a buffer for reading, after all that `encoder` has recorded.
-    fn start_reading<T: Pod>(&self, encoder: wgpu::CommandEncoder, binding: Binding, count: usize) -> Reading<T> {
-        Reading::new(&self.gpu, encoder, &self.buffers[&binding], count, binding.what())
+    /// Copies, of a buffer that has `each` elements for an instance, those of some instances for reading. A refusal goes to the
+    /// error scope that this is called in.
+    pub(crate) fn start_reading<T: Pod>(&self, binding: Binding, instances: &[usize], each: usize) -> Reading<T> {
+        let encoder = self.gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        Reading::new(&self.gpu, encoder, &self.buffers[&binding], instances, each, binding.what())
     }
 
     /// All of a buffer's first `count`.
     pub(crate) fn read<T: Pod>(&self, binding: Binding, count: usize) -> Result<Vec<T>, GpuError> {
-        let reading = self.gpu.scoped(|| {
-            let encoder = self.gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            self.start_reading(encoder, binding, count)
-        })?;
-        reading.wait(&self.gpu)
-    }
-
-    /// The states of the creases of each instance. Blocks know the fold angles alone.
-    fn read_creases(&self, instances: usize) -> Result<Vec<Vec<CreaseState>>, GpuError> {
-        let each = self.variant.creases;
-        let own = |i: usize| i * each..(i + 1) * each;
-        if let Some(copies) = &self.copies {
-            let angles: Vec<f32> = self.read(Binding::Angles, instances * each)?;
-            let state = |angle| CreaseState { angle, ..CreaseState::default() };
-            let of = |i| copies.collect(&angles[own(i)]).into_iter().map(state).collect();
-            return Ok((0..instances).map(of).collect());
-        }
-        let creases: Vec<CreaseState> = self.read(Binding::CreaseStates, instances * each)?;
-        Ok((0..instances).map(|i| creases[own(i)].to_vec()).collect())
-    }
-
-    pub(crate) fn endings(&self, instances: usize, cancelled: bool) -> Result<Vec<Ending>, GpuError> {
-        let controls: Vec<Control> = self.read(Binding::Control, instances)?;
-        let (node_count, crease_count) = (self.variant.nodes, self.variant.creases);
-        let nodes: Vec<Node> = self.read(Binding::Nodes, instances * node_count)?;
-        let creases = self.read_creases(instances)?;
-        let diverged = controls.iter().any(|c| c.bad_node != NONE);
-        let checkpoint_nodes: Vec<Node> =
-            if diverged { self.read(Binding::CheckpointNodes, instances * node_count)? } else { Vec::new() };
-        let checkpoint_angles: Vec<f32> =
-            if diverged { self.read(Binding::CheckpointAngles, instances * crease_count)? } else { Vec::new() };
-        let ending = |(i, control): (usize, Control)| {
-            let own_nodes = i * node_count..(i + 1) * node_count;
-            let own_creases = i * crease_count..(i + 1) * crease_count;
-            let bad = control.bad_node != NONE;
-            Ending {
-                cancelled,
-                control,
-                nodes: nodes[own_nodes.clone()].to_vec(),
-                creases: creases[i].clone(),
-                checkpoint: bad.then(|| {
-                    let angles = &checkpoint_angles[own_creases];
-                    let angles = self.copies.as_ref().map_or(angles.to_vec(), |copies| copies.collect(angles));
-                    (checkpoint_nodes[own_nodes].to_vec(), angles)
-                }),
-            }
-        };
-        Ok(controls.into_iter().enumerate().map(ending).collect())
+        self.gpu.scoped(|| self.start_reading(binding, &[0], count))?.wait(&self.gpu)
     }
 }
 

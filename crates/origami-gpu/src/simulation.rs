@@ -14,11 +14,13 @@ use crate::engine::Engine;
 use crate::error::GpuError;
 use crate::kernels::Binding;
 use crate::layout::{Control, CreaseState, NONE, Node, SETTLED};
+use crate::leaving::Leaving;
 use crate::method::{GpuMethod, Settings};
 use crate::outcome::{GPU, backend, checked, distance, diverged, folded, ramp_share, state};
 use crate::outside::Outside;
 use crate::positions_buffer::PositionsBuffer;
 use crate::purpose::{Dispatch, Purpose};
+use crate::run::Ending;
 use crate::single;
 use crate::solver::OnGpu;
 
@@ -67,7 +69,7 @@ impl<S: GpuMethod> solve::Method for OnGpu<S> {
         let mut beginning = settings.method().beginning(&instance, targets.clone());
         (beginning.limit, beginning.stops_when_settled) = (u64::from(u32::MAX), false);
         let (state, held) = (beginning.state.clone(), beginning.held.clone());
-        engine.load(&[beginning]).map_err(gave_up)?;
+        engine.load(0, &[beginning]).map_err(gave_up)?;
         let control = engine.read(Binding::Control, 1).map_err(gave_up)?;
         let folds = targets != start.targets || !scene.has_springs_only();
         Ok(GpuEngine {
@@ -131,6 +133,12 @@ impl GpuEngine {
         self.control = controls.last().copied().unwrap_or(self.control);
         self.stale = true;
         Ok(())
+    }
+
+    /// Where it is, with the last good state if it has diverged.
+    fn ending(&self) -> Result<Vec<Ending>, GpuError> {
+        let diverged = self.control.bad_node != NONE;
+        Leaving::new(&self.engine, &[(0, None)], false, diverged)?.wait(&self.engine)
     }
 
     fn read_nodes(&self) -> Result<Vec<Node>, GpuError> {
@@ -218,7 +226,7 @@ impl solve::Engine for GpuEngine {
         if self.control.bad_node == NONE {
             return Ok(self.report());
         }
-        let mut endings = self.engine.endings(1, false).map_err(|error| self.gave_up(error))?;
+        let mut endings = self.ending().map_err(|error| self.gave_up(error))?;
         match endings.pop() {
             Some(ending) => Err(diverged(&self.model, &ending, self.to.clone(), self.engine.variant.scheme).into()),
             None => Ok(self.report()),
@@ -250,7 +258,7 @@ impl solve::Engine for GpuEngine {
         let written = self.engine.gpu.scoped(|| {
             self.engine.hold(&self.held, &held);
             if self.scene.loads != loads {
-                self.engine.write_loads(std::iter::once(&loads[..]));
+                self.engine.write_loads(0, std::iter::once(&loads[..]));
             }
         });
         written.map_err(|error| self.gave_up(error))?;
@@ -294,7 +302,7 @@ impl solve::Engine for GpuEngine {
     }
 
     fn finish(self, targets: Targets) -> Result<Folded, Failed> {
-        let mut endings = self.engine.endings(1, false).map_err(|error| self.gave_up(error))?;
+        let mut endings = self.ending().map_err(|error| self.gave_up(error))?;
         let Some(mut ending) = endings.pop() else {
             return Err(self.gave_up(GpuError::Refused("the state could not be read".to_owned())));
         };

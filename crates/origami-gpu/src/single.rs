@@ -126,7 +126,7 @@ mod tests {
     use crate::testing::gpu;
     use crate::{Dispatch, Gpu};
 
-    const WIDE: [f64; 4] = [1e39, 1e300, -1e31, f64::MAX];
+    const WIDE: [f64; 2] = [1e39, -1e31];
 
     fn bird(change: &dyn Fn(&mut CreasePattern), material: &Material) -> Model {
         let mut pattern = BirdBase::default().pattern().expect("a pattern");

@@ -15,6 +15,8 @@ use crate::outside::Outside;
 use crate::purpose::{Dispatch, Purpose};
 use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
+use crate::stream::Asked;
+use crate::traffic::Traffic;
 use crate::{ensemble, inventory};
 
 impl Gpu {
@@ -52,6 +54,12 @@ impl<S: GpuMethod> OnGpu<S> {
         let purpose = self.purpose([model].into_iter());
         let arrays = SheetArrays::new(model);
         Route::new(&arrays, purpose, self.gpu.abilities()).dispatch()
+    }
+
+    /// What a step moves and what the buffers take on the way that `model` goes, counted: nothing is asked of the GPU.
+    pub fn traffic(&self, model: &Model) -> Traffic {
+        let purpose = self.purpose([model].into_iter());
+        Traffic::of(model, purpose.scheme, purpose.safe, self.way(model))
     }
 
     /// What [`Solver::session`] gives, by its own name.
@@ -132,9 +140,18 @@ impl<S: GpuMethod> Session for OnModel<'_, S> {
         {
             self.engine = Engine::new(&self.on.gpu, self.model, &engine.outside().with(scene), self.purpose);
         }
-        let engine = self.engine.as_mut().map_err(|error| backend(error.clone(), start, 0))?;
-        let mut results = self.on.method.method().run(engine, &[instance], &mut |_, progress| observe(progress));
-        results.pop().expect("one result for one instance")
+        let engine = self.engine.as_ref().map_err(|error| backend(error.clone(), start, 0))?;
+        let mut result = None;
+        let asked = Asked {
+            instances: &[&instance],
+            observe: &mut |_, progress| observe(progress),
+            take: &mut |_, came_to| {
+                result = Some(came_to);
+                ControlFlow::Continue(())
+            },
+        };
+        self.on.method.method().run(engine, asked);
+        result.expect("one result for one instance")
     }
 }
 
@@ -186,6 +203,9 @@ mod tests {
         for way in Dispatch::WAYS {
             assert_eq!(on(*way).way(&plain), *way, "{way}");
         }
+        let bytes = |way| on(way).traffic(&plain).bytes_per_step();
+        assert_eq!(bytes(Dispatch::Passes), Traffic::of_relax(&plain).bytes_per_step());
+        assert_eq!(bytes(Dispatch::Blocks), Traffic::of_relax_in_blocks(&plain).bytes_per_step());
         assert_eq!(on(Dispatch::Workgroup).way(&loose), Dispatch::Passes, "it needs too many buffers");
         assert!(Dispatch::WAYS.contains(&on(Dispatch::Auto).way(&plain)));
         let mut names: Vec<String> = Dispatch::WAYS.iter().map(ToString::to_string).collect();

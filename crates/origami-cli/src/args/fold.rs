@@ -231,7 +231,7 @@ pub(crate) struct SolvingArgs {
 /// What computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum BackendName {
-    /// A hardware GPU, if there is one, for 10000 vertices or more; else the processor
+    /// A hardware GPU, if there is one, for 10000 vertices or more (an estimate, not measured); else the processor
     Auto,
     /// The processor
     Cpu,
@@ -311,5 +311,6 @@ mod tests {
         let auto = BackendName::Auto.to_possible_value();
         let text = auto.as_ref().and_then(|value| value.get_help()).expect("auto has a help text").to_string();
         assert!(text.contains(&format!("for {} vertices or more", origami::gpu::AUTO_NODES)), "{text}");
+        assert_eq!(text.contains("an estimate, not measured"), !origami::gpu::AUTO_NODES_MEASURED, "{text}");
     }
 }

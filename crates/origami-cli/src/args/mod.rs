@@ -1,6 +1,7 @@
 //! The command line, one file a command. Defaults of the simulation come from the library.
 
 mod adapters;
+mod analyse;
 mod convert;
 mod fold;
 mod hold;
@@ -20,6 +21,9 @@ mod usage;
 mod values;
 
 pub(crate) use adapters::AdaptersArgs;
+pub(crate) use analyse::AnalyseArgs;
+#[cfg(feature = "analysis")]
+pub(crate) use analyse::{Analysis, BucklingArgs, EquilibriaArgs, ModesArgs, PathArgs, StiffnessArgs, SubjectArgs};
 pub(crate) use convert::ConvertArgs;
 #[cfg(feature = "formats")]
 pub(crate) use convert::LinesName;
@@ -72,6 +76,7 @@ Examples:
   origami fold --help                                      More of these, and all settings
   origami sweep miura.fold --percent 0:100:5 -o out        Fold it in many ways
   origami study accuracy miura.fold -o out                 See how far to trust the solvers
+  origami analyse path kresling.fold press.json -o out     Press it until it snaps, and further
 
 Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.";
 
@@ -84,6 +89,7 @@ pub(crate) enum Command {
     Convert(ConvertArgs),
     Render(Box<RenderArgs>),
     Study(StudyArgs),
+    Analyse(Box<AnalyseArgs>),
     Info(InfoArgs),
     Pattern(PatternArgs),
     Adapters(AdaptersArgs),

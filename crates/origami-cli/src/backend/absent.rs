@@ -2,12 +2,12 @@
 
 use super::{Computer, Method};
 use crate::args::BackendName;
-use crate::report::AdapterDetails;
+use crate::report::{AdapterDetails, By};
 
 const ABSENT: &str = "this build has no GPU backend (feature `gpu`)";
 
 /// The processor.
-pub(crate) struct Backend;
+pub(crate) struct Backend(By);
 
 impl Backend {
     /// Whatever else is wanted is refused.
@@ -16,7 +16,8 @@ impl Backend {
     /// How to build a program that has it.
     pub(crate) fn new(wanted: BackendName, _adapter: Option<&str>) -> Result<Self, String> {
         match wanted {
-            BackendName::Auto | BackendName::Cpu => Ok(Self),
+            BackendName::Auto => Ok(Self(By::Only)),
+            BackendName::Cpu => Ok(Self(By::Asked)),
             BackendName::Gpu => Err(format!(
                 "--backend gpu: {ABSENT}; expected auto or cpu, or a build without --no-default-features or with \
                  --features gpu"
@@ -26,7 +27,7 @@ impl Backend {
 
     /// The processor, whatever the size.
     pub(crate) fn choose(&self, method: &Method, _nodes: usize) -> Computer {
-        Computer::processor(method)
+        Computer::processor(method, self.0)
     }
 
     /// No GPU.

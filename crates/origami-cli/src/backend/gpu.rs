@@ -6,14 +6,14 @@ use origami::Warning;
 use origami::error::WarningCode;
 #[cfg(feature = "render")]
 use origami::gpu::render::GpuRenderer;
-use origami::gpu::{self, AUTO_NODES, AdapterChoice, AdapterSummary, Gpu, GpuError};
+use origami::gpu::{self, AUTO_NODES, AUTO_NODES_MEASURED, AdapterChoice, AdapterSummary, Gpu, GpuError};
 #[cfg(feature = "render")]
 use origami::picture::Renderer;
 use origami::solve::Solver;
 
 use super::{Computer, Method};
 use crate::args::{BackendName, is_named};
-use crate::report::{Adapter, AdapterDetails};
+use crate::report::{Adapter, AdapterDetails, By};
 
 /// The processor and a GPU, which is opened at most once, and only when it is needed.
 pub(crate) struct Backend {
@@ -54,10 +54,12 @@ impl Backend {
             BackendName::Auto => nodes >= AUTO_NODES && (self.named.is_some() || may_have_hardware()),
         };
         if !worth_it {
-            return Computer::processor(method);
+            return Computer::processor(method, self.by());
         }
         match self.open() {
-            Ok(gpu) if self.wanted == BackendName::Gpu || gpu.adapter().kind.is_hardware() => on_gpu(gpu, method),
+            Ok(gpu) if self.wanted == BackendName::Gpu || gpu.adapter().kind.is_hardware() => {
+                on_gpu(gpu, method, self.by())
+            }
             Ok(gpu) => self.passed_over(method, &format!("{} is not hardware; --backend gpu takes it", gpu.adapter())),
             Err(error) => self.passed_over(method, &error.to_string()),
         }
@@ -92,25 +94,33 @@ impl Backend {
         self.opened.get_or_init(open).as_ref()
     }
 
+    fn by(&self) -> By {
+        match self.wanted {
+            BackendName::Cpu | BackendName::Gpu => By::Asked,
+            BackendName::Auto if AUTO_NODES_MEASURED => By::Size,
+            BackendName::Auto => By::Estimate,
+        }
+    }
+
     /// The processor, which is a surprise only to those who have named an adapter.
     fn passed_over(&self, method: &Method, why: &str) -> Computer {
         let warning = self
             .named
             .as_ref()
             .map(|_| Warning::new(WarningCode::Fallback, "--backend auto", format!("the processor, since {why}")));
-        Computer { warning, ..Computer::processor(method) }
+        Computer { warning, ..Computer::processor(method, self.by()) }
     }
 }
 
-fn on_gpu(gpu: &Gpu, method: &Method) -> Computer {
+fn on_gpu(gpu: &Gpu, method: &Method, by: By) -> Computer {
     let solver: Box<dyn Solver> = match method {
         Method::Relax(relax) => Box::new(gpu.with(relax.clone())),
         Method::Dynamics(dynamics) => Box::new(gpu.with(dynamics.clone())),
         #[cfg(feature = "newton")]
-        Method::Newton(_) => return Computer::processor(method),
-        Method::Reflect(_) => return Computer::processor(method),
+        Method::Newton(_) => return Computer::processor(method, by),
+        Method::Reflect(_) => return Computer::processor(method, by),
     };
-    Computer { solver, adapter: Some(Adapter::from(gpu.adapter())), warning: None }
+    Computer { solver, adapter: Some(Adapter::from(gpu.adapter())), by, warning: None }
 }
 
 impl From<&AdapterSummary> for Adapter {

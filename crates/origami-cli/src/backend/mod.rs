@@ -15,7 +15,7 @@ use origami::Warning;
 use origami::solve::Newton;
 use origami::solve::{Dynamics, Reflect, Relax, Solver};
 
-use crate::report::Adapter;
+use crate::report::{Adapter, By};
 
 /// The solver, wherever it runs.
 pub(crate) enum Method {
@@ -45,12 +45,14 @@ pub(crate) struct Computer {
     pub(crate) solver: Box<dyn Solver>,
     /// The GPU; `None` is the processor.
     pub(crate) adapter: Option<Adapter>,
+    /// What decided that.
+    pub(crate) by: By,
     /// Why it is not where the command line has it.
     pub(crate) warning: Option<Warning>,
 }
 
 impl Computer {
-    fn processor(method: &Method) -> Self {
-        Self { solver: method.solver(), adapter: None, warning: None }
+    fn processor(method: &Method, by: By) -> Self {
+        Self { solver: method.solver(), adapter: None, by, warning: None }
     }
 }

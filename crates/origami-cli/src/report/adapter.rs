@@ -2,6 +2,23 @@
 
 use serde::Serialize;
 
+/// What decides where a sheet is folded. Reports tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum By {
+    /// The command line names it.
+    Asked,
+    /// The size of the sheet, by measurements.
+    #[cfg(feature = "gpu")]
+    Size,
+    /// The size of the sheet, by an estimate that no measurement has confirmed.
+    #[cfg(feature = "gpu")]
+    Estimate,
+    /// This build has nothing else.
+    #[cfg(not(feature = "gpu"))]
+    Only,
+}
+
 /// The GPU that has folded a sheet.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Adapter {

@@ -58,6 +58,7 @@ pub(crate) struct Energy {
     beams: f64,
     creases: f64,
     corner_angles: f64,
+    areas: f64,
     total: f64,
 }
 
@@ -96,6 +97,7 @@ impl Measured {
                 beams: energy.beams,
                 creases: energy.creases,
                 corner_angles: energy.corner_angles,
+                areas: energy.areas,
                 total: energy.total(),
             }),
             angle_error_deg: Some(AngleError { mean: angles.mean, max: angles.max }),

@@ -7,7 +7,7 @@ mod note;
 mod scene;
 mod sweep;
 
-pub(crate) use adapter::{Adapter, AdapterDetails};
+pub(crate) use adapter::{Adapter, AdapterDetails, By};
 pub(crate) use attitude::attitude;
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use note::Note;
@@ -49,6 +49,8 @@ pub(crate) struct Run {
     pub(crate) from: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,
+    /// What decided that.
+    pub(crate) backend_by: By,
     /// The GPU.
     pub(crate) adapter: Option<Adapter>,
     /// What was built.

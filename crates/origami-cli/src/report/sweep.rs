@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::args::Shard;
 
-use super::{Adapter, Divergence, Measured, Seconds};
+use super::{Adapter, By, Divergence, Measured, Seconds};
 
 /// What sweep.json begins with: all that a sweep goes on with must have been made with the same.
 #[derive(Debug, Serialize)]
@@ -18,6 +18,8 @@ pub(crate) struct Head {
     pub(crate) solver: &'static str,
     /// `cpu` or `gpu`.
     pub(crate) backend: &'static str,
+    /// What decided that.
+    pub(crate) backend_by: By,
     /// The GPU.
     pub(crate) adapter: Option<Adapter>,
     /// `f64` or `mixed` on the processor, `f32` on a GPU.
@@ -114,7 +116,7 @@ pub(crate) struct Varied {
 
 impl Varied {
     pub(crate) fn new(material: &Material, point: &Point) -> Self {
-        let Material { ea, k_fold, k_facet, k_face, zeta } = *material;
+        let Material { ea, k_fold, k_facet, k_face, zeta, .. } = *material;
         Self { ea, k_fold, k_facet, k_face, zeta, perturbation: point.perturbation, seed: point.seed }
     }
 }

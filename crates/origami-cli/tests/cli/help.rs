@@ -32,6 +32,9 @@ fn help_is_as_reviewed() {
     golden("merge", &["merge", "--help"]);
     golden("render", &["render", "--help"]);
     golden("study", &["study", "--help"]);
+    golden("analyse", &["analyse", "--help"]);
+    golden("analyse-path", &["analyse", "path", "--help"]);
+    golden("analyse-modes", &["analyse", "modes", "--help"]);
     golden("info", &["info", "--help"]);
     golden("pattern", &["pattern", "--help"]);
     golden("completions", &["completions", "--help"]);
@@ -40,7 +43,9 @@ fn help_is_as_reviewed() {
 
 #[test]
 fn every_command_shows_an_example() {
-    for command in ["fold", "sweep", "merge", "render", "study", "info", "pattern", "adapters", "completions", "man"] {
+    let commands =
+        ["fold", "sweep", "merge", "render", "study", "analyse", "info", "pattern", "adapters", "completions", "man"];
+    for command in commands {
         let output = Command::cargo_bin("origami").unwrap().args([command, "--help"]).output().unwrap();
         let text = String::from_utf8(output.stdout).unwrap();
         assert!(text.contains(&format!("  origami {command}")), "{command}: {text}");

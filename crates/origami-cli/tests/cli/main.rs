@@ -1,6 +1,7 @@
 //! The program from outside: what it reads, writes, says and exits with.
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
+mod analyse;
 mod attitude;
 mod batch;
 mod convert;

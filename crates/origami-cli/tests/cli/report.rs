@@ -7,10 +7,12 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 33] = [
+const KEYS: [&str; 35] = [
     "input",
     "solver",
+    "from",
     "backend",
+    "backend_by",
     "adapter",
     "percent",
     "precision",

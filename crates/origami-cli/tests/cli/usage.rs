@@ -19,7 +19,7 @@ fn bad_usage_is_1_and_names_what_is_wrong() {
         ("fold square.fold -o a.fold --time-step soon", "`paper`, `safe` or a finite number"),
         ("fold square.fold -o a.fold --time-step -1", "`paper`, `safe` or a finite number"),
         ("fold square.fold -o a.fold --integrator leapfrog", "euler or verlet"),
-        ("fold square.fold -o a.fold --solver magic", "relax, dynamics or newton"),
+        ("fold square.fold -o a.fold --solver magic", "relax, dynamics, newton or reflect"),
         ("fold square.fold -o a.fold --solver newton --residual 0", "greater than 0"),
         ("fold square.fold -o a.fold --steps -3", "-3"),
         ("fold square.fold -o a.fold --frames 0", "--frames 0: expected a whole number from 1 to 100000"),

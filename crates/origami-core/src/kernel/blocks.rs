@@ -15,9 +15,9 @@ pub(super) const FILLING: usize = NODES - 4;
 pub(super) const CREASES: usize = 1024;
 /// Room for the forces in a block: three for each triangle, two for each loose beam, and the filling.
 pub(super) const FORCES: usize = 1024;
-/// Triangles and loose beams of a block, at most. More of them, and the nodes of a compact block are too many; fewer, and more
+/// Triangles and loose beams of a block, at most. With more, a compact block has too many nodes and is halved; with fewer, more
 /// nodes belong to several blocks.
-const ELEMENTS: usize = 288;
+const ELEMENTS: usize = 320;
 
 /// One block. Nodes and creases are named by their places in its own lists.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,7 +34,7 @@ pub(super) struct Block {
     /// Beams outside any triangle, by their place among these; in order.
     pub(super) loose: Vec<u32>,
     pub(super) loose_ends: Vec<[u8; 2]>,
-    /// All creases on its triangles, in order. One between two blocks is in both, which find the same angle.
+    /// All creases on its triangles, in order. One between two blocks is in both, and turns in both alike.
     pub(super) creases: Vec<u32>,
     /// Apexes one and two, ends one and two.
     pub(super) hinges: Vec<[u8; 4]>,
@@ -119,7 +119,7 @@ impl<'a> Cutter<'a> {
         if nodes.number() > FILLING || creases.list.len() + 16 > CREASES {
             return None;
         }
-        let node = |n: u32| nodes.place(n) as u8;
+        let node = |n: u32| u8::try_from(nodes.place(n)).unwrap_or(u8::MAX);
         Some(Block {
             acted_on,
             corners: triangles.iter().map(|t| corners(t).map(node)).collect(),
@@ -181,5 +181,79 @@ impl Numbering {
 
     fn place(&self, thing: u32) -> u16 {
         self.places[thing as usize].1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::{catalog, miura};
+    use crate::kernel::of_triangles::OfTriangles;
+    use crate::model::Material;
+
+    fn blocks(model: &Model) -> Vec<Block> {
+        let springs = OfTriangles::new(model);
+        let mut blocks = Vec::new();
+        Cutter::new(model, &springs.sides, &springs.loose_ends(model)).cut(|block| blocks.push(block));
+        blocks
+    }
+
+    /// Each block says of its triangles and creases what the mesh says of them, and has room for all.
+    fn check(model: &Model, blocks: &[Block]) {
+        let mut triangles: Vec<u32> = blocks.iter().flat_map(|block| block.triangles.clone()).collect();
+        triangles.sort_unstable();
+        assert!(triangles.iter().copied().eq(0..model.mesh.triangles.len() as u32), "each triangle once");
+        for block in blocks {
+            let node = |place: u8| block.nodes[usize::from(place)];
+            assert!(block.nodes.len() <= FILLING && block.creases.len() + 16 <= CREASES);
+            assert!(
+                3 * block.triangles.len().next_multiple_of(16) + 2 * block.loose.len().next_multiple_of(16) <= FORCES
+            );
+            assert!(block.corners.iter().flatten().all(|place| usize::from(*place) < block.acted_on));
+            for (t, corners) in block.triangles.iter().zip(&block.corners) {
+                assert_eq!(corners.map(node), model.mesh.triangles[*t as usize].map(|n| n.0));
+            }
+            for (c, hinge) in block.creases.iter().zip(&block.hinges) {
+                assert_eq!(hinge.map(node), model.creases[*c as usize].nodes.map(|n| n.0));
+            }
+            for (corners, creases) in block.corners.iter().zip(&block.creases_of_sides) {
+                for (i, crease) in creases.iter().enumerate() {
+                    let Some(crease) = crease else { continue };
+                    let ends = &block.hinges[usize::from(*crease)][2..];
+                    assert!(ends.contains(&corners[i]) && ends.contains(&corners[(i + 1) % 3]));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_triangle_is_in_one_block_that_has_room_for_it() {
+        for name in catalog::names() {
+            let pattern = catalog::generate(name, &[]).expect("default parameters");
+            let model = Model::new(&pattern, &Material::default()).expect("a model");
+            check(&model, &blocks(&model));
+        }
+        let model = Model::new(&miura(60, 40).expect("valid"), &Material::default()).expect("a model");
+        let all = blocks(&model);
+        check(&model, &all);
+        let acted_on: usize = all.iter().map(|block| block.acted_on).sum();
+        assert!(all.len() > 14 && acted_on < model.node_count() * 5 / 4, "{} blocks, {acted_on} nodes", all.len());
+    }
+
+    #[test]
+    fn a_wheel_of_many_spokes_is_cut_into_blocks_that_share_its_hub() {
+        let spokes = 2_000;
+        let angle = |i: usize| std::f64::consts::TAU * i as f64 / spokes as f64;
+        let mut pattern = crate::pattern::CreasePattern::default();
+        pattern.vertices.push(DVec3::ZERO);
+        pattern.vertices.extend((0..spokes).map(|i| DVec3::new(angle(i).cos(), angle(i).sin(), 0.0)));
+        let vertex = crate::ids::VertexId::new;
+        let face = |i: usize| vec![vertex(0), vertex(1 + i), vertex(1 + (i + 1) % spokes)];
+        pattern.faces = (0..spokes).map(face).collect();
+        let model = Model::new(&pattern, &Material::default()).expect("a model");
+        let all = blocks(&model);
+        check(&model, &all);
+        let hub = model.node(vertex(0)).expect("a corner of all faces").0;
+        assert!(all.len() >= 8 && all.iter().all(|block| block.nodes.contains(&hub)), "{} blocks", all.len());
     }
 }

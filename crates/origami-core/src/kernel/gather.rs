@@ -22,23 +22,23 @@ pub(super) fn rows<'a>(rows: &'a [u32], slots: &'a [u32]) -> impl Iterator<Item 
     rows.windows(2).map(|row| &slots[row[0] as usize..row[1] as usize])
 }
 
-/// Writes the sum of the forces on each node of a block.
+/// Writes the sum of the forces on each node of a block: `counts` says how many there are, `summands` where they lie.
 #[inline(always)]
 pub(super) fn sum_in_block<L: GatherScatter>(
     lane: L,
-    ends: &[u16],
-    of_nodes: &[u16],
+    counts: &[u16],
+    summands: &[u16],
     forces: &[<L::Real as Real>::Quad; FORCES],
     sums: &mut [<L::Real as Real>::Quad],
 ) {
     let node = lane.node();
-    let mut rest = of_nodes;
-    for (end, to) in ends.iter().zip(sums) {
-        let (own, others) = rest.split_at(usize::from(*end));
-        rest = others;
+    let mut left = summands;
+    for (count, to) in counts.iter().zip(sums) {
+        let (own, others) = left.split_at(usize::from(*count));
+        left = others;
         let mut sum = Num::splat(node, 0.0);
         for place in own {
-            sum = sum + Num { lane: node, raw: lane.load_node(force(forces, *place)) };
+            sum = sum + Num { lane: node, raw: lane.load_node(force::<L::Real>(forces, *place)) };
         }
         *to = lane.store_node(sum.raw);
     }

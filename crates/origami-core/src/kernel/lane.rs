@@ -4,6 +4,7 @@
 use std::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 use super::blocks::{CREASES, NODES};
+use super::near::Near;
 use super::real::Real;
 
 /// Numbers of one kind side by side, and what an instruction set does with them. Every operation is element by element, so
@@ -55,8 +56,16 @@ pub(crate) trait GatherScatter: Lane {
     fn store_position(self, raw: <Self::Position as Lane>::Raw) -> <f64 as Real>::Quad;
     fn widen(self, raw: <Self::Node as Lane>::Raw) -> <Self::Position as Lane>::Raw;
 
-    /// Differences of nodes' positions, `to - from`: taken in f64, whatever the springs are computed in.
-    fn gather_differences(self, positions: &[<f64 as Real>::Quad; NODES], from: &[u8], to: &[u8]) -> [Self::Raw; 3];
+    /// A position, or a number of units, as the springs keep it.
+    fn place(self, raw: <Self::Position as Lane>::Raw) -> <Self::Real as Real>::Place;
+
+    /// Differences of nodes' positions, `to - from`.
+    fn gather_differences(self, near: &Near<Self::Real>, from: &[u8], to: &[u8]) -> [Self::Raw; 3];
+    /// The sides of triangles, from the first corner to the second, from there to the third, and back.
+    #[inline(always)]
+    fn gather_sides(self, near: &Near<Self::Real>, [a, b, c]: [&[u8]; 3]) -> [[Self::Raw; 3]; 3] {
+        [self.gather_differences(near, a, b), self.gather_differences(near, b, c), self.gather_differences(near, c, a)]
+    }
     /// Differences of nodes' velocities, `to - from`.
     fn gather_velocity_differences(
         self,

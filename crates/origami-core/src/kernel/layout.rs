@@ -3,11 +3,11 @@
 use std::iter::{empty, repeat};
 
 use crate::csr::Csr;
-use crate::forces::damping;
 use crate::ids::NodeId;
-use crate::model::Model;
+use crate::model::{Beam, Model, Softening};
 
 use super::blocks::{Block, Cutter, FILLING, NODES};
+use super::of_triangles::OfTriangles;
 use super::real::Real;
 
 /// Everything about a model that the passes need and that never changes. A list is empty where the model has nothing of its
@@ -41,10 +41,11 @@ pub(super) struct Layout<R> {
     pub(super) loose_ends: Vec<u8>,
     /// By the same chunks: rest length, stiffness, damping.
     pub(super) loose_beams: Vec<R>,
-    /// By node of a block on which its springs act: how many forces of the block these are.
+    /// By node of a block on which its springs act: how many forces of the block act on it.
     pub(super) counts: Vec<u16>,
-    /// Where they lie among those of the block: those of triangles in their order, then those of loose beams.
-    pub(super) forces_of_nodes: Vec<u16>,
+    /// Where they lie among the numbers of all forces of the block: those of triangles in their order, then those of loose
+    /// beams.
+    pub(super) summands: Vec<u16>,
     /// By node: where the forces on it lie, one for each block. The last slot of a node on which something acts from outside
     /// is for that.
     pub(super) slots: Csr<u32>,
@@ -53,6 +54,10 @@ pub(super) struct Layout<R> {
     /// Creases that are in a second block: their place there, and the first one.
     pub(super) copies: Vec<[u32; 2]>,
     pub(super) k_face: f64,
+    pub(super) k_area: f64,
+    /// What pulls a crease back to flat from the side that its target is not on, in units of its stiffness.
+    pub(super) wrong_side: f64,
+    pub(super) softening: Option<Softening>,
     pub(super) damped: bool,
 }
 
@@ -63,16 +68,11 @@ pub(super) struct Starts {
     pub(super) creases: usize,
     pub(super) triangles: usize,
     pub(super) loose: usize,
-    pub(super) forces: usize,
-    /// On how many nodes the springs of all blocks before it act.
-    pub(super) acted_on_before: usize,
+    pub(super) sums: usize,
+    pub(super) summands: usize,
     /// On how many of its nodes its springs act.
     pub(super) acted_on: usize,
 }
-
-/// A hinge and its nodes: ends, then apexes.
-pub(super) const DUMMY: [[f64; 4]; 4] =
-    [[0.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.5, 1.0, 0.0, 0.0], [0.5, -1.0, 0.0, 0.0]];
 
 impl<R: Real> Layout<R> {
     /// Lays `model` out with `width` elements side by side. Its damping, if it has any, is laid out where the motion is `damped`.
@@ -91,92 +91,130 @@ impl<R: Real> Layout<R> {
             loose_ends: Vec::new(),
             loose_beams: Vec::new(),
             counts: Vec::new(),
-            forces_of_nodes: Vec::new(),
+            summands: Vec::new(),
             slots: Csr::from_entries(0, empty()),
             place_of_crease: vec![u32::MAX; model.creases.len()],
             copies: Vec::new(),
             k_face: model.material.k_face,
+            k_area: model.k_area(),
+            wrong_side: 0.0,
+            softening: None,
             damped: damped && model.material.zeta > 0.0,
         };
-        let springs = Springs::new(model);
-        let ends: Vec<[u32; 2]> =
-            springs.loose.iter().map(|side| model.mesh.sides[*side as usize].nodes.map(|n| n.0)).collect();
-        Cutter::new(model, &springs.sides, &ends).cut(|block| layout.take(model, &springs, width, &block));
+        let springs = OfTriangles::new(model);
+        Cutter::new(model, &springs.sides, &springs.loose_ends(model))
+            .cut(|block| layout.take(model, &springs, width, &block));
         layout.set_slots(&[]);
         layout
     }
 
     /// Lays one more block out.
-    fn take(&mut self, model: &Model, springs: &Springs, width: usize, block: &Block) {
-        let dummy = |i: usize| (FILLING + i) as u8;
-        let (no_hinge, no_face) = ([2, 3, 0, 1].map(dummy), [0, 1, 2].map(dummy));
-        let first = self.blocks.last().copied().unwrap_or_default();
+    fn take(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
+        if let Some(own) = self.blocks.last_mut() {
+            own.acted_on = block.acted_on;
+        }
+        self.block_nodes.extend(&block.nodes);
+        self.take_creases(model, width, block);
+        self.take_triangles(model, springs, width, block);
+        self.take_loose_beams(model, springs, width, block);
+        self.take_sums(width, block);
+        self.blocks.push(Starts {
+            nodes: self.block_nodes.len(),
+            creases: self.stiffness.len(),
+            triangles: self.corners.len() / 3,
+            loose: self.loose_ends.len() / 2,
+            sums: self.counts.len(),
+            summands: self.summands.len(),
+            acted_on: 0,
+        });
+    }
 
-        // At least one place is left over: sides without a crease refer to the first one after the last crease.
-        let creases = if model.creases.is_empty() { 0 } else { (block.creases.len() + 1).next_multiple_of(width) };
-        self.hinges.extend(chunks(width, creases, block.hinges.iter().copied(), no_hinge));
-        let stiffness = block.creases.iter().map(|c| R::of(model.creases[*c as usize].stiffness));
-        self.stiffness.extend(stiffness.chain(repeat(R::of(0.0))).take(creases));
-        for (crease, place) in block.creases.iter().zip(first.creases as u32..) {
+    fn take_creases(&mut self, model: &Model, width: usize, block: &Block) {
+        if model.creases.is_empty() {
+            return;
+        }
+        for (crease, place) in block.creases.iter().zip(self.stiffness.len() as u32..) {
             match &mut self.place_of_crease[*crease as usize] {
                 none @ &mut u32::MAX => *none = place,
-                own => self.copies.push([place, *own]),
+                first => self.copies.push([place, *first]),
             }
         }
+        // At least one place is left over: sides without a crease refer to the first one after the last crease.
+        let count = (block.creases.len() + 1).next_multiple_of(width);
+        lay(&mut self.hinges, (width, count), block.hinges.iter().copied(), [2, 3, 0, 1].map(filling));
+        let stiffness = block.creases.iter().map(|c| R::of(model.creases[*c as usize].stiffness));
+        self.stiffness.extend(stiffness.chain(repeat(R::of(0.0))).take(count));
+    }
 
-        let faces = block.triangles.len().next_multiple_of(width);
-        self.corners.extend(chunks(width, faces, block.corners.iter().copied(), no_face));
-        let none = block.creases.len() as u16;
-        let on_sides = block.creases_of_sides.iter().map(|sides| sides.map(|crease| crease.unwrap_or(none)));
-        self.creases.extend(chunks(width, if creases > 0 { faces } else { 0 }, on_sides, [none; 3]));
+    fn take_triangles(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
+        let count = block.triangles.len().next_multiple_of(width);
+        lay(&mut self.corners, (width, count), block.corners.iter().copied(), [0, 1, 2].map(filling));
+        if !model.creases.is_empty() {
+            let none = block.creases.len() as u16;
+            let on_sides = block.creases_of_sides.iter().map(|sides| sides.map(|crease| crease.unwrap_or(none)));
+            lay(&mut self.creases, (width, count), on_sides, [none; 3]);
+        }
         let sides = block.triangles.iter().map(|t| springs.sides[*t as usize]);
         let beams = sides.clone().map(|sides| {
             let [[a, k_a], [b, k_b], [c, k_c]] = sides.map(|s| springs.beam(model, s).map(R::of));
             [a, b, c, k_a, k_b, k_c]
         });
-        self.beams.extend(chunks(width, faces, beams, [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(R::of)));
-        let damping = sides.map(|sides| sides.map(|s| R::of(springs.share_of(model, s) * springs.damping[s as usize])));
-        self.damping.extend(chunks(width, if self.damped { faces } else { 0 }, damping, [R::of(0.0); 3]));
-        let angles = block.triangles.iter().map(|t| springs.angles[*t as usize].map(R::of));
-        let with_angles = if model.corner_angles.is_empty() { 0 } else { faces };
-        self.angles.extend(chunks(width, with_angles, angles, [0.5, 0.5, 1.0].map(R::of)));
+        lay(&mut self.beams, (width, count), beams, [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(R::of));
+        if self.damped {
+            let share = |s: u32| R::of(springs.share_of(model, s) * springs.damping[s as usize]);
+            lay(&mut self.damping, (width, count), sides.map(|sides| sides.map(share)), [R::of(0.0); 3]);
+        }
+        if !model.corner_angles.is_empty() {
+            let angles = block.triangles.iter().map(|t| springs.angles[*t as usize].map(R::of));
+            lay(&mut self.angles, (width, count), angles, [0.5, 0.5, 1.0].map(R::of));
+        }
+    }
 
-        let loose = block.loose.len().next_multiple_of(width);
-        self.loose_ends.extend(chunks(width, loose, block.loose_ends.iter().copied(), [dummy(0), dummy(1)]));
+    fn take_loose_beams(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
+        let count = block.loose.len().next_multiple_of(width);
+        lay(&mut self.loose_ends, (width, count), block.loose_ends.iter().copied(), [0, 1].map(filling));
         let beams = block.loose.iter().map(|b| {
             let side = springs.loose[*b as usize];
             let [rest, stiffness] = springs.beam(model, side);
             [rest, stiffness, springs.damping[side as usize]].map(R::of)
         });
-        self.loose_beams.extend(chunks(width, loose, beams, [1.0, 0.0, 0.0].map(R::of)));
+        lay(&mut self.loose_beams, (width, count), beams, [1.0, 0.0, 0.0].map(R::of));
+    }
 
-        let of_faces = block
-            .corners
-            .iter()
-            .enumerate()
-            .flat_map(|(t, corners)| (0..3).map(move |i| (corners[i], at(width, t, (i, 3)))));
-        let of_loose = block
-            .loose_ends
-            .iter()
-            .enumerate()
-            .flat_map(|(b, ends)| (0..2).map(move |i| (ends[i], 3 * faces + at(width, b, (i, 2)))));
-        let forces = of_faces.chain(of_loose).map(|(node, place)| (usize::from(node), place as u16));
-        let forces = Csr::from_entries(block.acted_on, forces);
-        self.counts.extend(forces.iter().map(|own| own.len() as u16));
-        self.forces_of_nodes.extend(forces.items());
+    fn take_sums(&mut self, width: usize, block: &Block) {
+        let of_corners = (0..).zip(&block.corners).flat_map(|(t, corners)| {
+            (0..3).zip(corners).map(move |(i, node)| (usize::from(*node), at(width, t, (i, 3))))
+        });
+        let first_loose = 3 * block.triangles.len().next_multiple_of(width);
+        let of_ends = (0..).zip(&block.loose_ends).flat_map(|(b, ends)| {
+            (0..2).zip(ends).map(move |(i, node)| (usize::from(*node), first_loose + at(width, b, (i, 2))))
+        });
+        // By where the first of its four numbers lies.
+        let summands = of_corners.chain(of_ends).map(|(node, place)| (node, 4 * place as u16));
+        let summands = Csr::from_entries(block.acted_on, summands);
+        self.counts.extend(summands.iter().map(|own| own.len() as u16));
+        self.summands.extend(summands.items());
+    }
 
-        self.block_nodes.extend(&block.nodes);
-        if let Some(own) = self.blocks.last_mut() {
-            own.acted_on = block.acted_on;
-        }
-        self.blocks.push(Starts {
-            nodes: self.block_nodes.len(),
-            creases: first.creases + creases,
-            triangles: first.triangles + faces,
-            loose: first.loose + loose,
-            forces: self.forces_of_nodes.len(),
-            acted_on_before: self.counts.len(),
-            acted_on: 0,
+    /// Makes the springs so soft, whatever they were before; they are exactly the model's without.
+    pub(super) fn soften(&mut self, model: &Model, width: usize, softening: Option<Softening>) {
+        self.softening = softening;
+        self.wrong_side = softening.map_or(0.0, |soft| soft.wrong_side);
+        self.k_face = softening.map_or(1.0, |soft| soft.corner_angles) * model.material.k_face;
+        let stiffness = |beam: &Beam| softening.map_or(beam.stiffness, |soft| soft.of_beam(model, beam));
+        let springs = OfTriangles::new(model);
+        let own = |side: u32| R::of(springs.share_of(model, side) * stiffness(&model.beams[side as usize]));
+        let mut blocks = self.blocks.iter();
+        Cutter::new(model, &springs.sides, &springs.loose_ends(model)).cut(|block| {
+            let Some(starts) = blocks.next() else { return };
+            for (triangle, place) in block.triangles.iter().zip(starts.triangles..) {
+                for (i, side) in springs.sides[*triangle as usize].into_iter().enumerate() {
+                    self.beams[at(width, place, (3 + i, 6))] = own(side);
+                }
+            }
+            for (loose, place) in block.loose.iter().zip(starts.loose..) {
+                self.loose_beams[at(width, place, (1, 3))] = own(springs.loose[*loose as usize]);
+            }
         });
     }
 
@@ -209,52 +247,9 @@ impl<R: Real> Layout<R> {
     }
 }
 
-/// The springs of a model by triangle and side.
-struct Springs {
-    /// By triangle: the sides 0-1, 1-2 and 2-0.
-    sides: Vec<[u32; 3]>,
-    /// Sides outside any triangle.
-    loose: Vec<u32>,
-    /// By side.
-    damping: Vec<f64>,
-    /// By triangle: cotangents of the first angle at rest and of the second, and 1; zeros where it has no springs there.
-    angles: Vec<[f64; 3]>,
-}
-
-impl Springs {
-    fn new(model: &Model) -> Self {
-        let triangles = &model.mesh.triangles;
-        let (mut sides, mut loose) = (vec![[0; 3]; triangles.len()], Vec::new());
-        for (side, s) in model.mesh.sides.iter().zip(0_u32..) {
-            if side.triangles == [None; 2] {
-                loose.push(s);
-            }
-            for triangle in side.triangles.iter().flatten() {
-                let corners = &triangles[triangle.index()];
-                let is_here =
-                    |i: &usize| side.nodes.contains(&corners[*i]) && side.nodes.contains(&corners[(i + 1) % 3]);
-                let corner = (0..3).find(is_here).expect("a side of a triangle joins two of its corners");
-                sides[triangle.index()][corner] = s;
-            }
-        }
-        let mut angles = vec![[0.0; 3]; if model.corner_angles.is_empty() { 0 } else { triangles.len() }];
-        for own in &model.corner_angles {
-            let [a, b] = own.rest.map(|(cos, sin)| cos / sin);
-            angles[own.triangle.index()] = [a, b, 1.0];
-        }
-        Self { sides, loose, damping: damping::coefficients(model), angles }
-    }
-
-    /// The part of a beam that each triangle at it does: each of two does half.
-    fn share_of(&self, model: &Model, side: u32) -> f64 {
-        1.0 / model.mesh.sides[side as usize].triangles.iter().flatten().count().max(1) as f64
-    }
-
-    /// Rest length, and the stiffness of each triangle's share.
-    fn beam(&self, model: &Model, side: u32) -> [f64; 2] {
-        let beam = &model.beams[side as usize];
-        [beam.rest_length, self.share_of(model, side) * beam.stiffness]
-    }
+/// The place of a node of the filling in its block.
+fn filling(i: usize) -> u8 {
+    (FILLING + i) as u8
 }
 
 /// Where a field, given as one of so many, of element `e` lies: field after field, chunk by chunk.
@@ -262,18 +257,20 @@ fn at(width: usize, e: usize, (field, fields): (usize, usize)) -> usize {
     (e / width * fields + field) * width + e % width
 }
 
-/// `count` elements in this layout: `elements`, then as many copies of `filling` as there is room for.
-fn chunks<T: Copy, const FIELDS: usize>(
-    width: usize,
-    count: usize,
+/// Adds `count` elements in this layout to a list: `elements`, then as many copies of `filling` as there is room for.
+fn lay<T: Copy, const FIELDS: usize>(
+    list: &mut Vec<T>,
+    (width, count): (usize, usize),
     elements: impl Iterator<Item = [T; FIELDS]>,
     filling: [T; FIELDS],
-) -> Vec<T> {
-    let mut laid_out = vec![filling[0]; count * FIELDS];
-    for (e, element) in elements.chain(repeat(filling)).take(count).enumerate() {
-        for (field, value) in element.into_iter().enumerate() {
-            laid_out[at(width, e, (field, FIELDS))] = value;
+) {
+    let (first, mut elements) = (list.len(), elements.chain(repeat(filling)));
+    list.resize(first + count * FIELDS, filling[0]);
+    for chunk in list[first..].chunks_exact_mut(width * FIELDS) {
+        for (side_by_side, element) in elements.by_ref().take(width).enumerate() {
+            for (field, value) in element.into_iter().enumerate() {
+                chunk[field * width + side_by_side] = value;
+            }
         }
     }
-    laid_out
 }

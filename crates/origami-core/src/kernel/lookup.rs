@@ -2,6 +2,7 @@
 //! spends more on that than on forces.
 
 use super::blocks::{CREASES, FORCES, NODES};
+use super::real::Real;
 
 /// What belongs to a node of a block: there is room for as many as the index can name.
 #[inline(always)]
@@ -16,9 +17,10 @@ pub(super) fn crease<T: Copy>(list: &[T; CREASES], i: u16) -> T {
     list[usize::from(i) % CREASES]
 }
 
-/// The force at one place of a block's, which is below the length of the list.
+/// The force at one place of a block's, given by where its first number lies.
 #[inline(always)]
-pub(super) fn force<T: Copy>(list: &[T; FORCES], i: u16) -> T {
-    debug_assert!(usize::from(i) < FORCES, "{i} of {FORCES}");
-    list[usize::from(i) % FORCES]
+pub(super) fn force<R: Real>(list: &[R::Quad; FORCES], i: u16) -> R::Quad {
+    let numbers: &[R] = bytemuck::cast_slice(list);
+    let i = usize::from(i) & (4 * FORCES - 4);
+    R::quad([numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]])
 }

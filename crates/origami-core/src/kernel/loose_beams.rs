@@ -20,7 +20,7 @@ pub(super) fn loose_beams<L: GatherScatter>(
     for ((ends, spring), to) in ends.zip(springs).zip(forces.chunks_exact_mut(2 * L::WIDTH)) {
         let (one, other) = ends.split_at(L::WIDTH);
         let [rest, stiffness, damping] = [0, 1, 2].map(|i| Num::load(lane, &spring[i * L::WIDTH..]));
-        let along = Vec3::new(lane, lane.gather_differences(input.positions, one, other));
+        let along = Vec3::new(lane, lane.gather_differences(input.near, one, other));
         let length = along.dot(along).sqrt();
         let tension = stiffness * (length - rest) / length;
         let mut force = along * Num::splat(lane, L::Real::LEAST).less(length).select(tension, zero);

@@ -10,6 +10,7 @@
 
 mod access;
 mod angle;
+mod areas;
 mod blocks;
 mod bounds;
 mod fire_move;
@@ -22,6 +23,8 @@ mod lanes;
 mod layout;
 mod lookup;
 mod loose_beams;
+mod near;
+mod of_triangles;
 mod outside;
 #[cfg(feature = "parallel")]
 mod parallelism;
@@ -39,19 +42,18 @@ mod triangle_forces;
 mod tests;
 
 pub(crate) use bounds::Bounds;
-pub(crate) use isa::Compute;
+pub(crate) use isa::{Compute, Isa};
 pub(crate) use real::Quad64;
 
 use glam::DVec3;
 
-use crate::ids::NodeId;
-use crate::model::Model;
+use crate::ids::{CreaseId, NodeId};
+use crate::model::{Model, Softening};
 use crate::scene::{Axes, Held, Scene};
 use crate::twins::fire_update::{Decision, Sums};
 use blocks::NODES;
 use fire_move::FireMove;
 use integrate::{Euler, Verlet};
-use isa::Isa;
 use layout::Layout;
 use outside::{Apply, Outside};
 use parallelism::Parallelism;
@@ -99,7 +101,8 @@ impl<R: Compute> Kernel<R> {
         Self::with((Isa::best(), threads), model, damped, bounds, positions, velocities, angles)
     }
 
-    fn with(
+    /// The same by the instructions of `isa`.
+    pub(crate) fn with(
         (isa, threads): (Isa, usize),
         model: &Model,
         damped: bool,
@@ -112,19 +115,9 @@ impl<R: Compute> Kernel<R> {
         let mut scratch = Scratch::new();
         let at_rest: Vec<Quad64> = model.rest.iter().map(|p| f64::quad_of(*p)).collect();
         let Layout { blocks, block_nodes, corners, beams, angles: corner_angles, .. } = &mut layout;
-        let (positions_at_rest, scratch_at_rest) = (&at_rest, &mut scratch);
-        R::run(
-            isa,
-            AtRest {
-                blocks,
-                block_nodes,
-                corners,
-                positions: positions_at_rest,
-                scratch: scratch_at_rest,
-                beams,
-                angles: corner_angles,
-            },
-        );
+        let near = &mut scratch.near;
+        let pass = AtRest { blocks, block_nodes, corners, positions: &at_rest, near, beams, angles: corner_angles };
+        R::run(isa, pass);
         let creases = layout.stiffness.len();
         let mut kernel = Self {
             isa,
@@ -202,6 +195,31 @@ impl<R: Compute> Kernel<R> {
     /// Sets the target angle of each crease, in radians.
     pub(crate) fn set_targets(&mut self, targets: impl Iterator<Item = f64>) {
         self.layout.by_crease(targets, &mut self.targets);
+    }
+
+    /// Makes the springs so soft; they are exactly the model's without.
+    pub(crate) fn soften(&mut self, model: &Model, softening: Option<Softening>) {
+        if softening != self.layout.softening {
+            self.layout.soften(model, R::width(self.isa), softening);
+        }
+    }
+
+    /// How soft they are.
+    pub(crate) fn softening(&self) -> Option<Softening> {
+        self.layout.softening
+    }
+
+    /// The creases that softening turns back to flat: those folded to the other side than their targets.
+    pub(crate) fn wrong_sides(&self) -> Vec<CreaseId> {
+        if self.layout.wrong_side == 0.0 {
+            return Vec::new();
+        }
+        let is_wrong = |place: u32| {
+            let [angle, target] = [&self.angles, &self.targets].map(|list| list[place as usize].to_f64());
+            angle * target < 0.0
+        };
+        let creases = self.layout.place_of_crease.iter().enumerate();
+        creases.filter(|(_, place)| is_wrong(**place)).map(|(crease, _)| CreaseId::new(crease)).collect()
     }
 
     /// First passes: fold angles, and forces of all springs, of the damping if `damped`, and from outside. The result is the

@@ -6,9 +6,15 @@ use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
 /// The numbers in which springs are computed: f64, or f32 where positions alone are f64.
-pub(crate) trait Real: Copy + Default + Debug + Send + Sync + 'static {
+pub(crate) trait Real: Pod + Default + Debug + Send + Sync {
     /// Three coordinates and a 0, aligned so that they are read at once.
-    type Quad: Copy + Default + Debug + Send + Sync;
+    type Quad: Pod + Default + Debug + Send + Sync;
+    /// Where a node is, in its block (see [`near`](super::near)).
+    type Place: Copy + Default + Debug + Send + Sync;
+    /// Whether places are whole numbers.
+    const WHOLE: bool;
+    /// The nodes of the filling, a sound hinge: ends, then apexes.
+    const FILLING: [Self::Place; 4];
     /// The least that has all its digits.
     const LEAST: f64;
     /// The distance from 1 to the next number.
@@ -45,8 +51,21 @@ pub(crate) struct Quad64(pub(super) [f64; 4]);
 #[repr(C, align(16))]
 pub(crate) struct Quad32(pub(super) [f32; 4]);
 
+/// Three whole numbers and a 0.
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub(crate) struct Whole32(pub(super) [i32; 4]);
+
 impl Real for f64 {
     type Quad = Quad64;
+    type Place = Quad64;
+    const WHOLE: bool = false;
+    const FILLING: [Quad64; 4] = [
+        Quad64([0.0, 0.0, 0.0, 0.0]),
+        Quad64([1.0, 0.0, 0.0, 0.0]),
+        Quad64([0.5, 1.0, 0.0, 0.0]),
+        Quad64([0.5, -1.0, 0.0, 0.0]),
+    ];
     const LEAST: f64 = f64::MIN_POSITIVE;
     const EPSILON: f64 = f64::EPSILON;
     const ROUNDING: f64 = 6_755_399_441_055_744.0;
@@ -88,6 +107,17 @@ impl Real for f64 {
 
 impl Real for f32 {
     type Quad = Quad32;
+    type Place = Whole32;
+    const WHOLE: bool = true;
+    const FILLING: [Whole32; 4] = {
+        let half = 1 << 24;
+        [
+            Whole32([0; 4]),
+            Whole32([2 * half, 0, 0, 0]),
+            Whole32([half, 2 * half, 0, 0]),
+            Whole32([half, -2 * half, 0, 0]),
+        ]
+    };
     const LEAST: f64 = f32::MIN_POSITIVE as f64;
     const EPSILON: f64 = f32::EPSILON as f64;
     const ROUNDING: f32 = 12_582_912.0;

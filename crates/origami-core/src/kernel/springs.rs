@@ -6,7 +6,7 @@ use super::isa::{Compute, Pass};
 use super::lane::{GatherScatter, Num};
 use super::layout::{Layout, Starts};
 use super::real::{Quad64, Real};
-use super::scratch::Scratch;
+use super::scratch::{Scratch, take_positions};
 use super::share::Cut;
 use super::{fold_angles, loose_beams, triangle_forces};
 
@@ -40,34 +40,34 @@ impl<R: Real> Pass<R> for Springs<'_, R> {
         for (own, slots) in blocks.windows(2).zip(slots) {
             let (start, end) = (own[0], own[1]);
             let nodes = &layout.block_nodes[start.nodes..end.nodes];
-            scratch.take_positions(positions, nodes);
+            take_positions(lane, &mut scratch.near, positions, nodes);
             if !velocities.is_empty() {
                 scratch.take_velocities(velocities, &nodes[..start.acted_on]);
             }
-            let Scratch { positions, velocities: near_velocities, sines, moments, forces } = &mut *scratch;
+            let Scratch { near, velocities: near_velocities, sines, moments, forces } = &mut *scratch;
             let creases = start.creases..end.creases;
             let (own_angles, others) = angles.split_at_mut(creases.len());
             angles = others;
-            let moved = fold_angles::fold_angles(
+            let turned = fold_angles::fold_angles(
                 lane,
-                positions,
+                near,
                 &layout.hinges[4 * start.creases..4 * end.creases],
-                (&layout.stiffness[creases.clone()], &targets[creases]),
+                (&layout.stiffness[creases.clone()], &targets[creases], layout.wrong_side),
                 own_angles,
                 [sines, moments],
             );
-            most = most.max(moved);
+            most = most.max(turned);
 
             let damped = !velocities.is_empty();
-            let input = triangle_forces::Input { layout, positions, velocities: near_velocities, damped, moments };
+            let input = triangle_forces::Input { layout, near, velocities: near_velocities, damped, moments };
             let (of_triangles, of_loose) = forces.split_at_mut(3 * (end.triangles - start.triangles));
             triangle_forces::triangle_forces(lane, &input, start.triangles..end.triangles, of_triangles);
             if start.loose < end.loose {
                 loose_beams::loose_beams(lane, &input, start.loose..end.loose, of_loose);
             }
-            let counts = &layout.counts[start.acted_on_before..][..start.acted_on];
-            let of_nodes = &layout.forces_of_nodes[start.forces..end.forces];
-            sum_in_block(lane, counts, of_nodes, forces, slots);
+            let (counts, summands) =
+                (&layout.counts[start.sums..end.sums], &layout.summands[start.summands..end.summands]);
+            sum_in_block(lane, counts, summands, forces, slots);
         }
         let mut each = [R::default(); 16];
         most.store(&mut each);

@@ -8,12 +8,14 @@
 use std::ops::Range;
 
 use super::angle::small_angle_of;
+use super::areas;
 use super::blocks::{CREASES, NODES};
 use super::isa::Pass;
 use super::lane::{GatherScatter, Lane, Mask, Num, Vec3};
 use super::layout::{Layout, Starts};
+use super::near::Near;
 use super::real::{Quad64, Real};
-use super::scratch::Scratch;
+use super::scratch::take_positions;
 
 /// Writes the forces on the corners of these triangles of a block.
 #[inline(always)]
@@ -65,10 +67,10 @@ fn deviation<L: GatherScatter>(cosine: Num<L>, sine: Num<L>, doubled_area: Num<L
 }
 
 #[inline(always)]
-fn thirds<L: Lane>(corners: &[u8]) -> (&[u8], &[u8], &[u8]) {
+fn thirds<L: Lane>(corners: &[u8]) -> [&[u8]; 3] {
     let (a, others) = corners.split_at(L::WIDTH);
     let (b, c) = others.split_at(L::WIDTH);
-    (a, b, c)
+    [a, b, c]
 }
 
 /// Whether two angles differ by a few roundings, each as a number along and one across.
@@ -92,11 +94,9 @@ struct Shape<L: Lane> {
 
 impl<L: GatherScatter> Shape<L> {
     #[inline(always)]
-    fn of(lane: L, positions: &[Quad64; NODES], corners: &[u8]) -> Self {
-        let (a, b, c) = thirds::<L>(corners);
-        let ab = Vec3::new(lane, lane.gather_differences(positions, a, b));
-        let bc = Vec3::new(lane, lane.gather_differences(positions, b, c));
-        let ca = Vec3::new(lane, lane.gather_differences(positions, c, a));
+    fn of(lane: L, near: &Near<L::Real>, corners: &[u8]) -> Self {
+        let [ab, bc, ca] = lane.gather_sides(near, thirds::<L>(corners));
+        let (ab, bc, ca) = (Vec3::new(lane, ab), Vec3::new(lane, bc), Vec3::new(lane, ca));
         let squares = [ab.dot(ab), bc.dot(bc), ca.dot(ca)];
         let dots = [-ab.dot(ca), -ab.dot(bc), -bc.dot(ca)];
         let normal = ca.cross(ab);
@@ -125,7 +125,7 @@ pub(super) struct AtRest<'a, R: Real> {
     pub(super) corners: &'a [u8],
     /// Of the sheet, by node.
     pub(super) positions: &'a [Quad64],
-    pub(super) scratch: &'a mut Scratch<R>,
+    pub(super) near: &'a mut Near<R>,
     pub(super) beams: &'a mut [R],
     pub(super) angles: &'a mut [R],
 }
@@ -140,17 +140,21 @@ impl<R: Real> Pass<R> for AtRest<'_, R> {
         let mut beams = self.beams.chunks_exact_mut(6 * L::WIDTH);
         let mut angles = self.angles.chunks_exact_mut(3 * L::WIDTH);
         for own in self.blocks.windows(2) {
-            self.scratch.take_positions(self.positions, &self.block_nodes[own[0].nodes..own[1].nodes]);
+            take_positions(lane, self.near, self.positions, &self.block_nodes[own[0].nodes..own[1].nodes]);
+            let near = &*self.near;
+            // As far as two lengths may differ because positions do.
+            let slack = Num::of(lane, near.unit) * Num::splat(lane, 4.0);
             let chunks = (own[1].triangles - own[0].triangles) / L::WIDTH;
             for (corners, beams) in corners.by_ref().zip(beams.by_ref()).take(chunks) {
-                let shape = Shape::of(lane, &self.scratch.positions, corners);
+                let shape = Shape::of(lane, near, corners);
                 for i in 0..3 {
                     let own = &mut beams[i * L::WIDTH..][..L::WIDTH];
                     let (length, rest) = (shape.lengths[i], Num::load(lane, own));
-                    (length - rest).abs().less(nearly * rest).select(length, rest).store(own);
+                    (length - rest).abs().less(nearly.mul_add(rest, slack)).select(length, rest).store(own);
                 }
                 if let Some(angles) = angles.next() {
-                    shape.replace_angles(nearly, angles);
+                    let shortest = shape.lengths[0].min(shape.lengths[1]).min(shape.lengths[2]);
+                    shape.replace_angles(nearly + slack / shortest, angles);
                 }
             }
         }
@@ -160,7 +164,7 @@ impl<R: Real> Pass<R> for AtRest<'_, R> {
 /// What the pass reads: the nodes and moments are those of one block.
 pub(super) struct Input<'a, R: Real> {
     pub(super) layout: &'a Layout<R>,
-    pub(super) positions: &'a [Quad64; NODES],
+    pub(super) near: &'a Near<R>,
     pub(super) damped: bool,
     pub(super) velocities: &'a [R::Quad; NODES],
     pub(super) moments: &'a [R; CREASES],
@@ -169,9 +173,9 @@ pub(super) struct Input<'a, R: Real> {
 impl<R: Real> Input<'_, R> {
     #[inline(always)]
     fn forces<L: GatherScatter<Real = R>>(&self, lane: L, chunk: usize, corners: &[u8]) -> [Vec3<L>; 3] {
-        let (a, b, c) = thirds::<L>(corners);
+        let [a, b, c] = thirds::<L>(corners);
         let Shape { sides: [ab, bc, ca], squares, lengths: [l_ab, l_bc, l_ca], dots, normal, doubled_area } =
-            Shape::of(lane, self.positions, corners);
+            Shape::of(lane, self.near, corners);
         let ([over_ab, over_bc], [over_ca, over_area]) = (inverses(l_ab, l_bc), inverses(l_ca, doubled_area));
 
         // The beams: forces over lengths, k (l - l0) / l.
@@ -202,6 +206,13 @@ impl<R: Real> Input<'_, R> {
             let on_ca = stiff * (one - three) * (over_ca * over_ca);
             at_a = at_a + normal.cross(ca.sub_mul(on_ca, ab * on_ab));
             at_b = at_b + normal.cross(ab.sub_mul(on_ab, bc * on_bc));
+        }
+
+        if self.layout.k_area > 0.0
+            && let Some(pull) = areas::pull(self.layout.k_area, [rest_ab, rest_bc, rest_ca], doubled_area, over_area)
+        {
+            at_a = normal.cross(bc).mul_add(pull, at_a);
+            at_b = normal.cross(ca).mul_add(pull, at_b);
         }
 
         if !self.layout.creases.is_empty() {

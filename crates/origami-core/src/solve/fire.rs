@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::twins::fire_update::{Fire, RENEWAL, fire_update};
 
 use super::State;
-use super::row_sums::all_row_sums;
+use super::row_sums::{OnTheWay, all_row_sums};
 use super::surroundings::Surroundings;
 
 /// The minimiser's own state.
@@ -31,6 +31,11 @@ impl Minimiser {
         self.fire.step
     }
 
+    /// Takes the masses anew at the next evaluation.
+    pub(super) fn renew(&mut self) {
+        self.evaluations = 0;
+    }
+
     /// Moves the sheet by the forces at its positions, which `state` is told where they are needed; false where a node may be
     /// out of bounds.
     pub(super) fn advance<R: Compute>(
@@ -43,7 +48,9 @@ impl Minimiser {
         if self.evaluations.is_multiple_of(RENEWAL) {
             kernel.read_positions(&mut state.positions);
             self.sums.resize(model.node_count(), 0.0);
-            all_row_sums(kernel.shared(), (model, surroundings.forces()), &state.positions, &mut self.sums);
+            let way = OnTheWay { softening: kernel.softening(), wrong: kernel.wrong_sides() };
+            let shared = kernel.shared();
+            all_row_sums(shared, (model, &way, surroundings.forces()), &state.positions, &mut self.sums);
             self.masses.clear();
             self.masses.extend(self.sums.iter().map(|mass| [*mass, 1.0 / mass]));
         }

@@ -58,7 +58,7 @@ impl Extremes {
                 #[expect(clippy::cast_possible_truncation, reason = "at most 6 and AROUND")]
                 pass.dispatch_workgroups(directions.len() as u32, 1, 1);
             }
-            Reading::new(gpu, encoder, &found, directions.len(), "the outermost nodes")
+            Reading::new(gpu, encoder, &found, &[0], directions.len(), "the outermost nodes")
         })?;
         let found: Vec<[f32; 4]> = reading.wait(gpu)?;
         if !found.as_flattened().iter().all(|x| x.is_finite() && x.abs() < 1e18) {

@@ -50,7 +50,7 @@ impl Resolver {
             pass.set_bind_group(0, &bindings, &[]);
             pass.dispatch_workgroups(width.div_ceil(8), height.div_ceil(8), 1);
         }
-        Reading::new(gpu, encoder, &pixels, size as usize, "the picture")
+        Reading::new(gpu, encoder, &pixels, &[0], size as usize, "the picture")
     }
 }
 

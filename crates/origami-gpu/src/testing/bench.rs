@@ -66,7 +66,7 @@ impl Bench {
             time_step: time_step::paper(&case.model),
             damping_sum: time_step::damping_sum(&case.model, integrator),
         };
-        engine.load(&[beginning]).expect("written");
+        engine.load(0, &[beginning]).expect("written");
         let bench = Self { engine, arrays: SheetArrays::new(&case.model), passes: RefCell::default() };
         bench.change_nodes(|i, node| node.velocity = crate::layout::single(case.state.velocities[i]));
         bench

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! on_a_gpu measure FOLDER [--seconds N] [--rehearse] [--commit TEXT] [--tests FILE]... [--command FILE]
-//! on_a_gpu tables DOCUMENT PLOTS FOLDER...
+//! on_a_gpu tables DOCUMENT PLOTS [FOLDER]...
 //! ```
 //!
 //! `measure` writes into FOLDER, which it makes: `results.csv` (a row for each figure, as soon as there is one), `machine.json`
@@ -32,7 +32,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 const USAGE: &str = "expected: on_a_gpu measure FOLDER [--seconds N] [--rehearse] [--commit TEXT] [--tests FILE]... \
-                     [--command FILE], or on_a_gpu tables DOCUMENT PLOTS FOLDER...";
+                     [--command FILE], or on_a_gpu tables DOCUMENT PLOTS [FOLDER]...";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -42,9 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["section", name, folder, seconds, ref options @ ..] => {
             section::work(name, &asked(folder, options)?, seconds.parse()?)
         }
-        ["tables", document, plots, ref folders @ ..] if !folders.is_empty() => {
-            tables::write(document.as_ref(), plots.as_ref(), folders)
-        }
+        ["tables", document, plots, ref folders @ ..] => tables::write(document.as_ref(), plots.as_ref(), folders),
         _ => Err(USAGE.into()),
     }
 }

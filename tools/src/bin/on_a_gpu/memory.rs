@@ -4,7 +4,7 @@ use std::error::Error;
 use std::time::Instant;
 
 use origami::Relax;
-use origami::gpu::{Gpu, Traffic, wgpu};
+use origami::gpu::{Gpu, wgpu};
 
 use crate::place::Place;
 use crate::results::Row;
@@ -44,10 +44,11 @@ pub(crate) fn measure(place: &Place) -> Result<Ended, Box<dyn Error>> {
     let after = taken();
     drop(session);
     let vertices = model.node_count();
-    add("miura", vertices, "GPU, passes", "bytes of buffers, counted", Traffic::of_relax(&model).memory() as f64)?;
+    let by = format!("GPU, {}", solver.way(&model));
+    add("miura", vertices, &by, "bytes of buffers, counted", solver.traffic(&model).memory() as f64)?;
     if let (Some(before), Some(after)) = (before, after) {
-        add("miura", vertices, "GPU", "bytes allocated", after.0.saturating_sub(before.0) as f64)?;
-        add("miura", vertices, "GPU", "bytes reserved", after.1.saturating_sub(before.1) as f64)?;
+        add("miura", vertices, &by, "bytes allocated", after.0.saturating_sub(before.0) as f64)?;
+        add("miura", vertices, &by, "bytes reserved", after.1.saturating_sub(before.1) as f64)?;
     }
     Ok(Ended::Whole)
 }

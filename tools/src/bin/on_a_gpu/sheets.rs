@@ -68,9 +68,13 @@ pub(crate) fn relax(steps: u64) -> Relax {
     Relax { steps: Some(steps), ramp: Some(0), ..Relax::default() }
 }
 
+/// One workgroup is one of a GPU's many processors: beyond so many vertices nobody would give it a whole sheet.
+const MOST_IN_ONE_WORKGROUP: usize = 4_096;
+
 /// The ways that the library lists and `model` can go, each with what a row calls it.
 pub(crate) fn ways<S: GpuMethod + Clone>(gpu: &Gpu, method: &S, model: &Model) -> Vec<(String, Dispatch)> {
-    let can = |way: &&Dispatch| gpu.with(method.clone()).dispatch(**way).way(model) == **way;
+    let sensible = |way: Dispatch| way != Dispatch::Workgroup || model.node_count() <= MOST_IN_ONE_WORKGROUP;
+    let can = |way: &&Dispatch| sensible(**way) && gpu.with(method.clone()).dispatch(**way).way(model) == **way;
     Dispatch::WAYS.iter().filter(can).map(|way| (format!("GPU, {way}"), *way)).collect()
 }
 

@@ -5,16 +5,16 @@ use std::error::Error;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use origami::gpu::{GpuMethod, PaperDynamics, Traffic};
+use origami::gpu::{Dispatch, GpuMethod, PaperDynamics, Traffic};
 use origami::scene::Scene;
 use origami::solve::{Method, Simulation, TimeStep};
-use origami::{Dynamics, Model, Solver, State};
+use origami::{Model, Solver, State};
 
 use crate::looks::Looks;
 use crate::place::Place;
 use crate::results::Row;
 use crate::section::Ended;
-use crate::sheets::{ENDLESS, PAPER, PERCENT, Processor, dynamics, on, relax, square, ways};
+use crate::sheets::{ENDLESS, PAPER, PERCENT, Processor, dynamics, relax, square, ways};
 
 /// Panels along both sides: what is judged first, then what draws a curve, the largest last.
 const PANELS: [usize; 12] = [999, 31, 315, 99, 9, 2, 177, 55, 17, 4, 562, 1999];
@@ -34,21 +34,8 @@ pub(crate) fn measure(place: &Place) -> Result<Ended, Box<dyn Error>> {
             return Ok(Ended::Cut);
         }
         let model = Arc::new(square(*panels)?);
-        let of = Sheet { place, model: &model };
-        of.add(
-            "dynamics",
-            "GPU, passes",
-            "memory, bytes",
-            Traffic::of_dynamics(&model, &Dynamics::default()).memory() as f64,
-        )?;
-        of.add(
-            "dynamics",
-            "GPU, passes",
-            "bytes a step",
-            Traffic::of_dynamics(&model, &Dynamics::default()).bytes_per_step(),
-        )?;
-        of.add("relax", "GPU, passes", "bytes a step", Traffic::of_relax(&model).bytes_per_step())?;
-        of.add("dynamics", PAPER, "bytes a step", Traffic::of_paper(&model).bytes_per_step())?;
+        // Both solvers can go the same ways.
+        let of = Sheet { place, model: &model, ways: ways(&place.gpu, &relax(ENDLESS), &model) };
         of.on_gpu("dynamics", &dynamics(ENDLESS))?;
         of.on_gpu("relax", &relax(ENDLESS))?;
         of.by_the_papers_passes()?;
@@ -64,6 +51,7 @@ pub(crate) fn measure(place: &Place) -> Result<Ended, Box<dyn Error>> {
 struct Sheet<'a> {
     place: &'a Place,
     model: &'a Arc<Model>,
+    ways: Vec<(String, Dispatch)>,
 }
 
 impl Sheet<'_> {
@@ -81,8 +69,15 @@ impl Sheet<'_> {
     }
 
     fn on_gpu<S: GpuMethod + Clone + 'static>(&self, solver: &str, method: &S) -> Result<(), Box<dyn Error>> {
-        for (by, way) in ways(&self.place.gpu, method, self.model) {
-            self.look(solver, &by, &*on(&self.place.gpu, method.clone(), way))?;
+        for (by, way) in &self.ways {
+            if self.place.is_over() {
+                return Ok(());
+            }
+            let on_gpu = self.place.gpu.with(method.clone()).dispatch(*way);
+            let traffic = on_gpu.traffic(self.model);
+            self.add(solver, by, "memory, bytes", traffic.memory() as f64)?;
+            self.add(solver, by, "bytes a step", traffic.bytes_per_step())?;
+            self.look(solver, by, &on_gpu)?;
         }
         Ok(())
     }
@@ -94,6 +89,7 @@ impl Sheet<'_> {
             steps: ENDLESS,
             read_every: if self.place.rehearse { 100 } else { READ_EVERY },
         };
+        self.add("dynamics", PAPER, "bytes a step", Traffic::of_paper(self.model).bytes_per_step())?;
         self.look("dynamics", PAPER, &paper)
     }
 

@@ -33,6 +33,9 @@ pub(crate) fn write(path: &Path, plots: &Path, folders: &[&str]) -> Result<(), B
             .collect::<Vec<_>>();
         parts += &part(&run, &links)?;
     }
+    if parts.is_empty() {
+        parts += "\nNo run has been kept yet.\n";
+    }
     let whole = replaced(&text, &parts).ok_or(format!("{}: has no line {BEGIN}", path.display()))?;
     Ok(std::fs::write(path, whole)?)
 }
@@ -394,6 +397,58 @@ mod tests {
         assert_eq!(new, format!("above\n{BEGIN}\nnew\n\n{END}below\n"));
         assert_eq!(replaced(&new, "\nnew\n"), Some(new.clone()), "again the same");
         assert_eq!(replaced("above\n", "new"), None);
+    }
+
+    /// A run on a software adapter of two sizes, with a sheet that was not folded in its time.
+    fn run() -> Run {
+        let row = |section: &str, vertices, by: &str, quantity: &str, value| Row {
+            section: section.into(),
+            sheet: "miura".into(),
+            vertices,
+            sheets: 1,
+            solver: "relax".into(),
+            by: by.into(),
+            quantity: quantity.into(),
+            value,
+        };
+        let (gpu, cpu, each) = ("GPU, passes", "CPU, f64, one thread", "seconds a step");
+        let rows = vec![
+            row("speed", 100, gpu, each, 2e-5),
+            row("speed", 100, cpu, each, 4e-6),
+            row("speed", 10_000, gpu, each, 5e-5),
+            row("speed", 10_000, cpu, each, 5e-4),
+            row("speed", 10_000, gpu, "bytes a step", 8e6),
+            row("memory", 0, "GPU", "bytes read and written in a second by copies", 2e12),
+            row("folded", 10_000, gpu, "seconds until it is folded", 0.25),
+            row("folded", 10_000, gpu, "evaluations", 1234.0),
+            row("folded", 10_000, cpu, "seconds without being folded", 60.0),
+        ];
+        let machine = serde_json::json!({
+            "adapter": { "name": "llvmpipe", "backend": "Vulkan", "kind": "software", "driver": "Mesa" },
+            "processor": "Any 1000", "threads": 16, "memory": "64 kB", "load": "0.5 1 2",
+        });
+        let run = serde_json::json!({ "commit": "abc", "sections": [
+            { "section": "speed", "ended": run::WHOLE }, { "section": "folded", "ended": run::OUT_OF_TIME },
+        ] });
+        Run { name: "some".into(), folder: "docs/gpu/some".into(), rows, machine, run }
+    }
+
+    #[test]
+    fn a_part_has_every_figure_and_tells_what_was_cut() {
+        let text = part(&run(), &["gpu/some-relax.svg".into()]).expect("written");
+        for line in [
+            "### On llvmpipe (Vulkan), a software adapter",
+            "The section `folded` ended otherwise than whole: out of time.",
+            "| 100 | 20.0 µs | 4.00 µs | 5.00e6 |",
+            "| 10000 | 50.0 µs | 500 µs | 2.00e8 |",
+            "- `relax`, CPU, f64, one thread: the GPU gains from 10000 vertices on.",
+            "| 10000 | relax | GPU, passes | 800 | 4.00 µs | 12.50 |",
+            "| 10000 | 250 ms, 1234 | more than 60.0 s, - |",
+            "![llvmpipe (Vulkan), a software adapter](gpu/some-relax.svg)",
+        ] {
+            assert!(text.lines().any(|written| written == line), "{line}\n{text}");
+        }
+        assert!(!text.contains("`speed`"), "what is whole is not told of");
     }
 
     #[test]

@@ -122,6 +122,7 @@ fn attempt(
         solver: settings.solver_name.name(),
         from: settings.start_name(),
         backend: if on_gpu { "gpu" } else { "cpu" },
+        backend_by: computer.by,
         adapter: computer.adapter,
         precision: settings.precisions[usize::from(on_gpu)],
         scene,

@@ -1,17 +1,17 @@
-//! The folder of a study. A study takes minutes: what cannot be written is found before.
+//! The folder of a study or an analysis. They take minutes: what cannot be written is found before.
 
 use std::fs::{self, OpenOptions};
 use std::io;
 use std::path::Path;
 
 /// Written and removed again, to see whether that can be done.
-const PROBE: &str = ".origami-study.part";
+const PROBE: &str = ".origami.part";
 
 /// Refuses what can be no folder, before any work.
 ///
 /// # Errors
 /// That something else is there.
-pub(super) fn check(folder: &Path) -> Result<(), String> {
+pub(in crate::commands) fn check(folder: &Path) -> Result<(), String> {
     if folder.as_os_str() == "-" || (folder.exists() && !folder.is_dir()) {
         return Err(format!("{}: is no folder; expected one, or a path where one can be made", folder.display()));
     }
@@ -22,7 +22,7 @@ pub(super) fn check(folder: &Path) -> Result<(), String> {
 ///
 /// # Errors
 /// What the system says.
-pub(super) fn make(folder: &Path, document: &str) -> Result<(), String> {
+pub(in crate::commands) fn make(folder: &Path, document: &str) -> Result<(), String> {
     let told = |error: io::Error| format!("{}: {error}", folder.display());
     fs::create_dir_all(folder).map_err(told)?;
     let document = folder.join(document);

@@ -3,7 +3,7 @@
 #[cfg(not(feature = "study"))]
 mod absent;
 #[cfg(feature = "study")]
-mod folder;
+pub(super) mod folder;
 #[cfg(feature = "study")]
 mod patterns;
 #[cfg(feature = "study")]

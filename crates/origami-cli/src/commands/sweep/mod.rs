@@ -168,6 +168,7 @@ fn head(
         input: input.to_string(),
         solver: solving.solver.name(),
         backend: if computer.adapter.is_some() { "gpu" } else { "cpu" },
+        backend_by: computer.by,
         precision: solving.precision_name(computer.adapter.is_some()),
         adapter: computer.adapter.clone(),
         tolerance: solving.tolerance,

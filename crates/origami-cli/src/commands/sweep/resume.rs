@@ -47,11 +47,12 @@ pub(super) fn rows(path: &Path, head: &Head, places: Range<usize>) -> Result<Vec
     Ok(rows)
 }
 
-/// The first setting that is not the same, with both values. The input may have another name.
+/// The first setting that is not the same, with both values. The input may have another name, and what computes may have been
+/// chosen in another way.
 fn difference(table: &Value, now: &Value) -> Option<(String, String, String)> {
     let settings = |value: &Value| value.get("settings").and_then(Value::as_object).cloned().unwrap_or_default();
     let top = now.as_object().cloned().unwrap_or_default();
-    let top = top.into_iter().filter(|(key, _)| key != "input" && key != "settings");
+    let top = top.into_iter().filter(|(key, _)| !["input", "settings", "backend_by"].contains(&key.as_str()));
     let before = settings(table);
     let of_top = top.map(|(key, value)| (table.get(&key).cloned(), key, value));
     let of_settings = settings(now).into_iter().map(|(key, value)| (before.get(&key).cloned(), key, value));

@@ -3,7 +3,7 @@
 use origami::model::Material;
 use origami::solve::Point;
 
-use crate::report::{Asked, Ending, Head, Measured, Row, Varied};
+use crate::report::{Asked, By, Ending, Head, Measured, Row, Varied};
 
 /// Of a relaxation on the processor.
 pub(super) fn head() -> Head {
@@ -32,6 +32,7 @@ pub(super) fn head() -> Head {
         input: "a.fold".to_owned(),
         solver: "relax",
         backend: "cpu",
+        backend_by: By::Asked,
         adapter: None,
         precision: "f64",
         tolerance: 1e-4,

@@ -3,12 +3,14 @@
 //!
 //! One kind of spring a file, as blocks of 3 by 3: `d2E / dp_i dp_j` for the nodes i and j of each spring.
 
+mod areas;
 pub mod beams;
 pub mod corner_angles;
 pub mod creases;
 
 use glam::{DMat3, DVec3};
 
+use crate::forces::areas::acting;
 use crate::model::Model;
 
 /// Hands `add(i, j, block)` the blocks of all springs at `positions`, where the creases have the angles `fold_angles` and
@@ -41,10 +43,19 @@ pub fn blocks(
         let Some(second) = corner_angles::blocks(corners, nodes.map(|n| positions[n])) else { continue };
         add_pairs(&nodes, add, |i, j| second[i][j] * model.material.k_face);
     }
+    for (_, nodes, triangle, area) in acting(model, positions) {
+        let nodes = nodes.map(|n| n.index());
+        let second = areas::blocks(&area, &triangle, nodes.map(|n| positions[n]));
+        add_pairs(&nodes, add, |i, j| second[i][j]);
+    }
 }
 
 /// Each pair of a spring's nodes once.
-fn add_pairs(nodes: &[usize], add: &mut impl FnMut(usize, usize, DMat3), block: impl Fn(usize, usize) -> DMat3) {
+pub(crate) fn add_pairs(
+    nodes: &[usize],
+    add: &mut impl FnMut(usize, usize, DMat3),
+    block: impl Fn(usize, usize) -> DMat3,
+) {
     for (i, a) in nodes.iter().enumerate() {
         for (j, b) in nodes.iter().enumerate().take(i + 1) {
             add(*a, *b, block(i, j));
@@ -53,7 +64,7 @@ fn add_pairs(nodes: &[usize], add: &mut impl FnMut(usize, usize, DMat3), block: 
 }
 
 /// `a b^T`.
-fn outer(a: DVec3, b: DVec3) -> DMat3 {
+pub(crate) fn outer(a: DVec3, b: DVec3) -> DMat3 {
     DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }
 

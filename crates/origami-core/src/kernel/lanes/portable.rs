@@ -3,7 +3,8 @@
 use crate::kernel::blocks::{CREASES, NODES};
 use crate::kernel::lane::{GatherScatter, Lane};
 use crate::kernel::lookup::{crease, node};
-use crate::kernel::real::{Quad64, Real};
+use crate::kernel::near::Near;
+use crate::kernel::real::{Quad64, Real, Whole32};
 
 /// Four numbers. `FUSED`: products and sums are rounded once, as the other lanes do it; slow where the processor cannot.
 #[derive(Clone, Copy)]
@@ -13,7 +14,11 @@ pub(in crate::kernel) struct Portable<R, const FUSED: bool>(pub(in crate::kernel
 pub(in crate::kernel) const FUSES: bool = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
 
 macro_rules! portable {
-    ($real:ty) => {
+    (
+        $real:ty;
+        place($raw:ident) = $place:expr;
+        difference($from:ident, $to:ident, $c:ident, $unit:ident) = $difference:expr;
+    ) => {
         impl<const FUSED: bool> Lane for Portable<$real, FUSED> {
             type Real = $real;
             type Raw = [$real; 4];
@@ -182,12 +187,19 @@ macro_rules! portable {
             }
 
             #[inline(always)]
-            fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [[$real; 4]; 3] {
+            fn place(self, $raw: [f64; 4]) -> <$real as Real>::Place {
+                $place
+            }
+
+            #[inline(always)]
+            fn gather_differences(self, near: &Near<$real>, from: &[u8], to: &[u8]) -> [[$real; 4]; 3] {
                 let mut differences = [[0.0; 4]; 3];
                 for i in 0..4 {
-                    let (from, to) = (node(positions, from[i]).0, node(positions, to[i]).0);
+                    let ($from, $to) = (node(&near.places, from[i]).0, node(&near.places, to[i]).0);
                     for c in 0..3 {
-                        differences[c][i] = <$real>::of(to[c] - from[c]);
+                        let $c = c;
+                        let $unit = near.unit;
+                        differences[c][i] = $difference;
                     }
                 }
                 differences
@@ -225,5 +237,21 @@ macro_rules! portable {
     };
 }
 
-portable!(f64);
-portable!(f32);
+portable! {
+    f64;
+    place(raw) = Quad64(raw);
+    difference(from, to, c, _unit) = to[c] - from[c];
+}
+
+portable! {
+    f32;
+    place(raw) = Whole32([rounded(raw[0]), rounded(raw[1]), rounded(raw[2]), 0]);
+    difference(from, to, c, unit) = to[c].wrapping_sub(from[c]) as f32 * unit;
+}
+
+/// The nearest whole number, as all lanes round: beside so large a number, the last bits of a sum are its.
+#[inline(always)]
+#[expect(clippy::cast_possible_truncation, reason = "the other bits are of the large number")]
+fn rounded(x: f64) -> i32 {
+    (x + f64::ROUNDING).to_bits() as i32
+}

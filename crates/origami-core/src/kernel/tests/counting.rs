@@ -4,6 +4,7 @@ use std::cell::Cell;
 
 use crate::kernel::blocks::{CREASES, NODES};
 use crate::kernel::lane::{GatherScatter, Lane};
+use crate::kernel::near::Near;
 use crate::kernel::real::{Quad64, Real};
 
 /// What was done, number by number.
@@ -133,9 +134,18 @@ impl<L: GatherScatter> GatherScatter for Counting<L> {
         self.0.widen(raw)
     }
 
-    fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [L::Raw; 3] {
+    fn place(self, raw: <L::Position as Lane>::Raw) -> <L::Real as Real>::Place {
+        self.0.place(raw)
+    }
+
+    fn gather_differences(self, near: &Near<L::Real>, from: &[u8], to: &[u8]) -> [L::Raw; 3] {
         self.note(|counts, width| counts.flops += 3 * width);
-        self.0.gather_differences(positions, from, to)
+        self.0.gather_differences(near, from, to)
+    }
+
+    fn gather_sides(self, near: &Near<L::Real>, corners: [&[u8]; 3]) -> [[L::Raw; 3]; 3] {
+        self.note(|counts, width| counts.flops += 9 * width);
+        self.0.gather_sides(near, corners)
     }
 
     fn gather_velocity_differences(

@@ -63,7 +63,7 @@ fn bytes<R: Compute>(kernel: &Kernel<R>) -> usize {
     let creases = of(&layout.hinges) + of(&layout.stiffness) + of(&kernel.targets) + 2 * of(&kernel.angles);
     let triangles =
         of(&layout.corners) + of(&layout.creases) + of(&layout.beams) + of(&layout.damping) + of(&layout.angles);
-    let sums = of(&layout.counts) + of(&layout.forces_of_nodes);
+    let sums = of(&layout.counts) + of(&layout.summands);
     let slots = 2 * acted_on * size_of::<R::Quad>() + of(layout.slots.starts()) + of(layout.slots.items());
     copied + creases + triangles + sums + slots + 2 * of(&kernel.positions) + 2 * of(&kernel.velocities)
 }

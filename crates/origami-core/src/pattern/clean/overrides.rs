@@ -28,7 +28,7 @@ pub(super) fn edge_numbers(
     entries.iter().enumerate().map(number).collect()
 }
 
-/// Whether each vertex is fixed.
+/// Whether each vertex is fixed, in every direction: those that are held in some alone are for structural analysis.
 pub(super) fn fixed(frame: &Frame, vertices: usize) -> Result<Vec<bool>, Error> {
     let Some(value) = frame.extra.get(FIXED) else { return Ok(vec![false; vertices]) };
     let entries = array(FIXED, value)?;
@@ -36,11 +36,17 @@ pub(super) fn fixed(frame: &Frame, vertices: usize) -> Result<Vec<bool>, Error> 
         let problem = format!("has {} entries where vertices_coords has {vertices}", entries.len());
         return Err(Error::new(ErrorCode::WrongLength, Place::key(FIXED), problem, "one entry for each vertex"));
     }
-    let flag = |(index, entry): (usize, &Value)| match (entry.as_bool(), entry.as_f64()) {
-        (Some(flag), _) => Ok(flag),
-        (None, Some(0.0)) => Ok(false),
-        (None, Some(1.0)) => Ok(true),
-        _ => Err(wrong(FIXED, index, entry, "true or false (or 1 or 0)")),
+    let flag = |(index, entry): (usize, &Value)| match entry {
+        Value::Bool(flag) => Ok(*flag),
+        Value::Number(number) if number.as_f64() == Some(0.0) => Ok(false),
+        Value::Number(number) if number.as_f64() == Some(1.0) => Ok(true),
+        Value::String(letters) if letters.chars().all(|letter| "xyz".contains(letter)) => {
+            Ok("xyz".chars().all(|axis| letters.contains(axis)))
+        }
+        Value::Array(axes) if axes.len() == 3 && axes.iter().all(Value::is_boolean) => {
+            Ok(axes.iter().all(|held| *held == Value::Bool(true)))
+        }
+        _ => Err(wrong(FIXED, index, entry, "true or false (or 1 or 0), or axes such as \"xz\"")),
     };
     entries.iter().enumerate().map(flag).collect()
 }

@@ -11,7 +11,7 @@ use super::matrix::STORED;
 
 /// The factors of one matrix after another, all with entries in the same places.
 #[derive(Debug)]
-pub(super) struct Factor {
+pub(crate) struct Factor {
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
     memory: Scratch,
@@ -27,7 +27,7 @@ impl std::fmt::Debug for Scratch {
 
 impl Factor {
     /// Finds the order of elimination; `None` where the factors do not fit into memory.
-    pub(super) fn new(structure: &SymbolicSparseColMat<usize>) -> Option<Self> {
+    pub(crate) fn new(structure: &SymbolicSparseColMat<usize>) -> Option<Self> {
         let ordering = Default::default();
         let symbolic = factorize_symbolic_cholesky(structure.as_ref(), STORED, ordering, Default::default()).ok()?;
         let factorise = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
@@ -41,7 +41,7 @@ impl Factor {
 
     /// Factorises `matrix` and says how many of its eigenvalues are negative: by Sylvester's law of inertia as many as
     /// there are negative pivots. `None` where a pivot is zero or not a number.
-    pub(super) fn factorise(&mut self, matrix: SparseColMatRef<'_, usize, f64>) -> Option<usize> {
+    pub(crate) fn factorise(&mut self, matrix: SparseColMatRef<'_, usize, f64>) -> Option<usize> {
         let stack = MemStack::new(&mut self.memory.0);
         let (regularization, params) = (LdltRegularization::default(), Default::default());
         let factors = self.symbolic.factorize_numeric_ldlt::<f64>(
@@ -76,7 +76,7 @@ impl Factor {
     }
 
     /// Solves with the matrix factorised last.
-    pub(super) fn solve(&mut self, column: &mut [f64]) {
+    pub(crate) fn solve(&mut self, column: &mut [f64]) {
         let size = column.len();
         let right = MatMut::from_column_major_slice_mut(column, size, 1);
         let factors = LdltRef::new(&self.symbolic, &self.values);

@@ -6,6 +6,8 @@ mod matrix;
 mod rigid;
 
 pub use descent::Stability;
+#[cfg(feature = "analysis")]
+pub(crate) use factor::Factor;
 
 use std::ops::ControlFlow;
 

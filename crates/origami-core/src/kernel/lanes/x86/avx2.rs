@@ -6,12 +6,13 @@ use bytemuck::cast;
 use pulp::x86::V3;
 
 use super::rows::{
-    first, first_mut, gather_d4, gather_differences_d4, gather_differences_s8, gather_s8,
+    first, first_mut, gather_d4, gather_differences_d4, gather_differences_s8, gather_s8, gather_sides_s8,
     gather_velocity_differences_s8, rows_d4, rows_s8,
 };
 use crate::kernel::blocks::{CREASES, NODES};
 use crate::kernel::lane::{GatherScatter, Lane};
-use crate::kernel::real::{Quad32, Quad64};
+use crate::kernel::near::Near;
+use crate::kernel::real::{Quad32, Quad64, Whole32};
 
 /// Four f64.
 #[derive(Clone, Copy)]
@@ -63,8 +64,13 @@ impl GatherScatter for D4 {
     }
 
     #[inline(always)]
-    fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [__m256d; 3] {
-        gather_differences_d4(self.0, positions, first(from), first(to))
+    fn place(self, raw: __m256d) -> Quad64 {
+        Quad64(cast(raw))
+    }
+
+    #[inline(always)]
+    fn gather_differences(self, near: &Near<f64>, from: &[u8], to: &[u8]) -> [__m256d; 3] {
+        gather_differences_d4(self.0, &near.places, first(from), first(to))
     }
 
     #[inline(always)]
@@ -90,8 +96,18 @@ impl GatherScatter for S8 {
     }
 
     #[inline(always)]
-    fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [__m256; 3] {
-        gather_differences_s8(self.0, positions, first(from), first(to))
+    fn place(self, raw: __m256d) -> Whole32 {
+        Whole32(cast(self.0.avx._mm256_cvtpd_epi32(raw)))
+    }
+
+    #[inline(always)]
+    fn gather_differences(self, near: &Near<f32>, from: &[u8], to: &[u8]) -> [__m256; 3] {
+        gather_differences_s8(self.0, near, first(from), first(to))
+    }
+
+    #[inline(always)]
+    fn gather_sides(self, near: &Near<f32>, [a, b, c]: [&[u8]; 3]) -> [[__m256; 3]; 3] {
+        gather_sides_s8(self.0, near, [first(a), first(b), first(c)])
     }
 
     #[inline(always)]

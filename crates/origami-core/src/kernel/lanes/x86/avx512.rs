@@ -8,12 +8,13 @@ use pulp::x86::V4;
 use super::avx2::{D4, S4};
 use super::rows::{first, first_mut, gather_d4, gather_s8, halves};
 use super::wide_rows::{
-    gather_differences_d8, gather_differences_s16, gather_velocity_differences_s16, join_d8, join_s16, rows_d8,
-    rows_s16,
+    gather_differences_d8, gather_differences_s16, gather_sides_s16, gather_velocity_differences_s16, join_d8,
+    join_s16, rows_d8, rows_s16,
 };
 use crate::kernel::blocks::{CREASES, NODES};
 use crate::kernel::lane::{GatherScatter, Lane};
-use crate::kernel::real::{Quad32, Quad64};
+use crate::kernel::near::Near;
+use crate::kernel::real::{Quad32, Quad64, Whole32};
 
 /// Eight f64.
 #[derive(Clone, Copy)]
@@ -63,8 +64,13 @@ impl GatherScatter for D8 {
     }
 
     #[inline(always)]
-    fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [__m512d; 3] {
-        gather_differences_d8(self.0, positions, first(from), first(to))
+    fn place(self, raw: __m256d) -> Quad64 {
+        Quad64(cast(raw))
+    }
+
+    #[inline(always)]
+    fn gather_differences(self, near: &Near<f64>, from: &[u8], to: &[u8]) -> [__m512d; 3] {
+        gather_differences_d8(self.0, &near.places, first(from), first(to))
     }
 
     #[inline(always)]
@@ -91,8 +97,18 @@ impl GatherScatter for S16 {
     }
 
     #[inline(always)]
-    fn gather_differences(self, positions: &[Quad64; NODES], from: &[u8], to: &[u8]) -> [__m512; 3] {
-        gather_differences_s16(self.0, positions, first(from), first(to))
+    fn place(self, raw: __m256d) -> Whole32 {
+        Whole32(cast(self.0.avx._mm256_cvtpd_epi32(raw)))
+    }
+
+    #[inline(always)]
+    fn gather_differences(self, near: &Near<f32>, from: &[u8], to: &[u8]) -> [__m512; 3] {
+        gather_differences_s16(self.0, near, first(from), first(to))
+    }
+
+    #[inline(always)]
+    fn gather_sides(self, near: &Near<f32>, [a, b, c]: [&[u8]; 3]) -> [[__m512; 3]; 3] {
+        gather_sides_s16(self.0, near, [first(a), first(b), first(c)])
     }
 
     #[inline(always)]

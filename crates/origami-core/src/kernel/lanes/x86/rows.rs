@@ -1,13 +1,14 @@
 //! From nodes, one after the other, to elements side by side, and back.
 
-use std::arch::x86_64::{__m256, __m256d};
+use std::arch::x86_64::{__m256, __m256d, __m256i};
 
 use bytemuck::cast;
 use pulp::x86::V3;
 
 use crate::kernel::blocks::{CREASES, NODES};
 use crate::kernel::lookup::{crease, node};
-use crate::kernel::real::{Quad32, Quad64};
+use crate::kernel::near::Near;
+use crate::kernel::real::{Quad32, Quad64, Whole32};
 
 /// Four rows of four numbers, of which the last is not wanted, to three columns.
 #[inline(always)]
@@ -78,20 +79,67 @@ pub(super) fn gather_differences_d4(v: V3, vectors: &[Quad64; NODES], from: &[u8
     columns_d4(v, [a, b, c, d])
 }
 
-/// The differences between pairs i and i + 4 of nodes, in f32.
+/// The whole numbers of nodes i and i + 4.
 #[inline(always)]
-pub(super) fn two_differences_s8(v: V3, positions: &[Quad64; NODES], from: &[u8; 8], to: &[u8; 8], i: usize) -> __m256 {
-    let low = v.avx._mm256_cvtpd_ps(difference_d4(v, positions, from[i], to[i]));
-    let high = v.avx._mm256_cvtpd_ps(difference_d4(v, positions, from[i + 4], to[i + 4]));
-    v.avx._mm256_set_m128(high, low)
+fn pair_of_places(v: V3, places: &[Whole32; NODES], nodes: &[u8; 8], i: usize) -> __m256i {
+    v.avx._mm256_set_m128i(cast(node(places, nodes[i + 4]).0), cast(node(places, nodes[i]).0))
 }
 
-/// The differences between eight pairs of nodes, in f32.
+/// Whole numbers, eight of each coordinate.
 #[inline(always)]
-pub(super) fn gather_differences_s8(v: V3, positions: &[Quad64; NODES], from: &[u8; 8], to: &[u8; 8]) -> [__m256; 3] {
-    let (a, b) = (two_differences_s8(v, positions, from, to, 0), two_differences_s8(v, positions, from, to, 1));
-    let (c, d) = (two_differences_s8(v, positions, from, to, 2), two_differences_s8(v, positions, from, to, 3));
-    columns_s8(v, [a, b, c, d])
+fn whole_columns_s8(v: V3, [a, b, c, d]: [__m256i; 4]) -> [__m256i; 3] {
+    let [x, y, z] = columns_s8(v, [cast(a), cast(b), cast(c), cast(d)]);
+    [cast(x), cast(y), cast(z)]
+}
+
+/// What so many units are.
+#[inline(always)]
+fn lengths_s8(v: V3, [x, y, z]: [__m256i; 3], unit: f32) -> [__m256; 3] {
+    let unit = v.avx._mm256_set1_ps(unit);
+    [
+        v.avx._mm256_mul_ps(v.avx._mm256_cvtepi32_ps(x), unit),
+        v.avx._mm256_mul_ps(v.avx._mm256_cvtepi32_ps(y), unit),
+        v.avx._mm256_mul_ps(v.avx._mm256_cvtepi32_ps(z), unit),
+    ]
+}
+
+/// The differences between eight pairs of nodes.
+#[inline(always)]
+pub(super) fn gather_differences_s8(v: V3, near: &Near<f32>, from: &[u8; 8], to: &[u8; 8]) -> [__m256; 3] {
+    let p = &near.places;
+    let a = v.avx2._mm256_sub_epi32(pair_of_places(v, p, to, 0), pair_of_places(v, p, from, 0));
+    let b = v.avx2._mm256_sub_epi32(pair_of_places(v, p, to, 1), pair_of_places(v, p, from, 1));
+    let c = v.avx2._mm256_sub_epi32(pair_of_places(v, p, to, 2), pair_of_places(v, p, from, 2));
+    let d = v.avx2._mm256_sub_epi32(pair_of_places(v, p, to, 3), pair_of_places(v, p, from, 3));
+    lengths_s8(v, whole_columns_s8(v, [a, b, c, d]), near.unit)
+}
+
+/// The sides of eight triangles. Whole numbers sum to exactly 0 around a triangle: so two sides tell the third.
+#[inline(always)]
+pub(super) fn gather_sides_s8(v: V3, near: &Near<f32>, [a, b, c]: [&[u8; 8]; 3]) -> [[__m256; 3]; 3] {
+    let p = &near.places;
+    let (a_0, a_1) = (pair_of_places(v, p, a, 0), pair_of_places(v, p, a, 1));
+    let (a_2, a_3) = (pair_of_places(v, p, a, 2), pair_of_places(v, p, a, 3));
+    let ab = [
+        v.avx2._mm256_sub_epi32(pair_of_places(v, p, b, 0), a_0),
+        v.avx2._mm256_sub_epi32(pair_of_places(v, p, b, 1), a_1),
+        v.avx2._mm256_sub_epi32(pair_of_places(v, p, b, 2), a_2),
+        v.avx2._mm256_sub_epi32(pair_of_places(v, p, b, 3), a_3),
+    ];
+    let ca = [
+        v.avx2._mm256_sub_epi32(a_0, pair_of_places(v, p, c, 0)),
+        v.avx2._mm256_sub_epi32(a_1, pair_of_places(v, p, c, 1)),
+        v.avx2._mm256_sub_epi32(a_2, pair_of_places(v, p, c, 2)),
+        v.avx2._mm256_sub_epi32(a_3, pair_of_places(v, p, c, 3)),
+    ];
+    let (ab, ca) = (whole_columns_s8(v, ab), whole_columns_s8(v, ca));
+    let zero = v.avx._mm256_setzero_si256();
+    let bc = [
+        v.avx2._mm256_sub_epi32(v.avx2._mm256_sub_epi32(zero, ab[0]), ca[0]),
+        v.avx2._mm256_sub_epi32(v.avx2._mm256_sub_epi32(zero, ab[1]), ca[1]),
+        v.avx2._mm256_sub_epi32(v.avx2._mm256_sub_epi32(zero, ab[2]), ca[2]),
+    ];
+    [lengths_s8(v, ab, near.unit), lengths_s8(v, bc, near.unit), lengths_s8(v, ca, near.unit)]
 }
 
 /// Vectors i and i + 4.

@@ -1,14 +1,15 @@
 //! From nodes, one after the other, to elements side by side, and back, over the whole width of AVX-512: shuffles are what
 //! the passes spend most on, and one of these moves twice as much.
 
-use std::arch::x86_64::{__m128, __m256, __m256d, __m512, __m512d};
+use std::arch::x86_64::{__m128, __m128i, __m256, __m256d, __m512, __m512d, __m512i};
 
 use bytemuck::cast;
 use pulp::x86::V4;
 
 use crate::kernel::blocks::NODES;
 use crate::kernel::lookup::node;
-use crate::kernel::real::{Quad32, Quad64};
+use crate::kernel::near::Near;
+use crate::kernel::real::{Quad32, Quad64, Whole32};
 
 /// Two rows of four numbers.
 #[inline(always)]
@@ -57,14 +58,6 @@ fn two_rows(v: V4, [x, y, z]: [__m512d; 3], of_xy: [i64; 8], of_z: [i64; 8], to:
     *to = cast(v.avx512f._mm512_mask_permutexvar_pd(xy, 0b0100_0100, cast(of_z), z));
 }
 
-/// The differences between pairs i, i + 4, i + 8 and i + 12 of nodes, in f32.
-#[inline(always)]
-fn four_differences_s16(v: V4, positions: &[Quad64; NODES], from: &[u8; 16], to: &[u8; 16], i: usize) -> __m512 {
-    let low = v.avx512f._mm512_cvtpd_ps(two_differences_d4(v, positions, from, to, i, i + 4));
-    let high = v.avx512f._mm512_cvtpd_ps(two_differences_d4(v, positions, from, to, i + 8, i + 12));
-    join_s16(v, low, high)
-}
-
 /// Sixteen rows of four numbers, of which the last is not wanted, to three columns: `a` holds rows 0, 4, 8 and 12, `b` the
 /// next ones.
 #[inline(always)]
@@ -78,17 +71,74 @@ fn columns_s16(v: V4, [a, b, c, d]: [__m512; 4]) -> [__m512; 3] {
     ]
 }
 
-/// The differences between sixteen pairs of nodes, in f32.
+/// The whole numbers of nodes i, i + 4, i + 8 and i + 12.
 #[inline(always)]
-pub(super) fn gather_differences_s16(
-    v: V4,
-    positions: &[Quad64; NODES],
-    from: &[u8; 16],
-    to: &[u8; 16],
-) -> [__m512; 3] {
-    let (a, b) = (four_differences_s16(v, positions, from, to, 0), four_differences_s16(v, positions, from, to, 1));
-    let (c, d) = (four_differences_s16(v, positions, from, to, 2), four_differences_s16(v, positions, from, to, 3));
-    columns_s16(v, [a, b, c, d])
+fn four_places(v: V4, places: &[Whole32; NODES], nodes: &[u8; 16], i: usize) -> __m512i {
+    let [a, b, c, d]: [__m128i; 4] = [
+        cast(node(places, nodes[i]).0),
+        cast(node(places, nodes[i + 4]).0),
+        cast(node(places, nodes[i + 8]).0),
+        cast(node(places, nodes[i + 12]).0),
+    ];
+    let all = v.avx512f._mm512_inserti32x4::<1>(v.avx512f._mm512_castsi128_si512(a), b);
+    v.avx512f._mm512_inserti32x4::<3>(v.avx512f._mm512_inserti32x4::<2>(all, c), d)
+}
+
+/// Whole numbers, sixteen of each coordinate.
+#[inline(always)]
+fn whole_columns_s16(v: V4, [a, b, c, d]: [__m512i; 4]) -> [__m512i; 3] {
+    let [x, y, z] = columns_s16(v, [cast(a), cast(b), cast(c), cast(d)]);
+    [cast(x), cast(y), cast(z)]
+}
+
+/// What so many units are.
+#[inline(always)]
+fn lengths_s16(v: V4, [x, y, z]: [__m512i; 3], unit: f32) -> [__m512; 3] {
+    let unit = v.avx512f._mm512_set1_ps(unit);
+    [
+        v.avx512f._mm512_mul_ps(v.avx512f._mm512_cvtepi32_ps(x), unit),
+        v.avx512f._mm512_mul_ps(v.avx512f._mm512_cvtepi32_ps(y), unit),
+        v.avx512f._mm512_mul_ps(v.avx512f._mm512_cvtepi32_ps(z), unit),
+    ]
+}
+
+/// The differences between sixteen pairs of nodes.
+#[inline(always)]
+pub(super) fn gather_differences_s16(v: V4, near: &Near<f32>, from: &[u8; 16], to: &[u8; 16]) -> [__m512; 3] {
+    let p = &near.places;
+    let a = v.avx512f._mm512_sub_epi32(four_places(v, p, to, 0), four_places(v, p, from, 0));
+    let b = v.avx512f._mm512_sub_epi32(four_places(v, p, to, 1), four_places(v, p, from, 1));
+    let c = v.avx512f._mm512_sub_epi32(four_places(v, p, to, 2), four_places(v, p, from, 2));
+    let d = v.avx512f._mm512_sub_epi32(four_places(v, p, to, 3), four_places(v, p, from, 3));
+    lengths_s16(v, whole_columns_s16(v, [a, b, c, d]), near.unit)
+}
+
+/// The sides of sixteen triangles, of which two tell the third.
+#[inline(always)]
+pub(super) fn gather_sides_s16(v: V4, near: &Near<f32>, [a, b, c]: [&[u8; 16]; 3]) -> [[__m512; 3]; 3] {
+    let p = &near.places;
+    let (a_0, a_1) = (four_places(v, p, a, 0), four_places(v, p, a, 1));
+    let (a_2, a_3) = (four_places(v, p, a, 2), four_places(v, p, a, 3));
+    let ab = [
+        v.avx512f._mm512_sub_epi32(four_places(v, p, b, 0), a_0),
+        v.avx512f._mm512_sub_epi32(four_places(v, p, b, 1), a_1),
+        v.avx512f._mm512_sub_epi32(four_places(v, p, b, 2), a_2),
+        v.avx512f._mm512_sub_epi32(four_places(v, p, b, 3), a_3),
+    ];
+    let ca = [
+        v.avx512f._mm512_sub_epi32(a_0, four_places(v, p, c, 0)),
+        v.avx512f._mm512_sub_epi32(a_1, four_places(v, p, c, 1)),
+        v.avx512f._mm512_sub_epi32(a_2, four_places(v, p, c, 2)),
+        v.avx512f._mm512_sub_epi32(a_3, four_places(v, p, c, 3)),
+    ];
+    let (ab, ca) = (whole_columns_s16(v, ab), whole_columns_s16(v, ca));
+    let zero = v.avx512f._mm512_setzero_si512();
+    let bc = [
+        v.avx512f._mm512_sub_epi32(v.avx512f._mm512_sub_epi32(zero, ab[0]), ca[0]),
+        v.avx512f._mm512_sub_epi32(v.avx512f._mm512_sub_epi32(zero, ab[1]), ca[1]),
+        v.avx512f._mm512_sub_epi32(v.avx512f._mm512_sub_epi32(zero, ab[2]), ca[2]),
+    ];
+    [lengths_s16(v, ab, near.unit), lengths_s16(v, bc, near.unit), lengths_s16(v, ca, near.unit)]
 }
 
 /// Vectors i, i + 4, i + 8 and i + 12.

@@ -1,0 +1,27 @@
+//! `origami analyse`: sheets as structures.
+
+#[cfg(not(feature = "analysis"))]
+mod absent;
+#[cfg(feature = "analysis")]
+mod buckling;
+#[cfg(feature = "analysis")]
+mod curve;
+#[cfg(feature = "analysis")]
+mod equilibria;
+#[cfg(feature = "analysis")]
+mod modes;
+#[cfg(feature = "analysis")]
+mod path;
+#[cfg(feature = "analysis")]
+mod present;
+#[cfg(feature = "analysis")]
+mod report;
+#[cfg(feature = "analysis")]
+mod stiffness;
+#[cfg(feature = "analysis")]
+mod subject;
+
+#[cfg(not(feature = "analysis"))]
+pub(super) use absent::run;
+#[cfg(feature = "analysis")]
+pub(super) use present::run;

@@ -1,0 +1,140 @@
+//! `origami analyse`, in builds with it and without.
+
+use crate::place::Place;
+
+#[cfg(not(feature = "analysis"))]
+#[test]
+fn a_build_without_it_says_so() {
+    let place = Place::new();
+    place
+        .run("analyse path square.fold -o out")
+        .fails(1, "origami analyse: this build is without it (feature `analysis`)");
+    assert_eq!(place.names(), ["square.fold"]);
+}
+
+#[cfg(feature = "analysis")]
+mod present {
+    use super::*;
+
+    /// A low pyramid over a square with a free apex, and what presses it through.
+    fn pyramid() -> Place {
+        let place = Place::new();
+        place.put(
+            "pyramid.fold",
+            r#"{"vertices_coords": [[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0], [0, 0, 0.4]],
+                "faces_vertices": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]], "frame_unit": "mm"}"#,
+        );
+        place.put(
+            "press.json",
+            r#"{"units": {"length": "mm", "force": "N"}, "bar": {"ea": 20}, "crease": {"k": 0.01}, "facet": {"k": 0.01},
+                "supports": [{"on": {"box": [[null, null, null], [null, null, 0]]}, "fixed": true}],
+                "loads": [{"on": {"at": [0, 0, 0.4]}, "force": [0, 0, -1]}],
+                "path": {"to": null, "ends": [[4, "z", -0.9]]}}"#,
+        );
+        place
+    }
+
+    #[test]
+    fn a_path_is_written() {
+        let place = pyramid();
+        let ran = place.run("analyse path pyramid.fold press.json -o out");
+        let line = ran.succeeds();
+        assert!(line.starts_with("out/path.json and 3 files beside it: "), "{line}");
+        assert!(line.contains("2 limit points") && line.contains("reached its end"), "{line}");
+        let report = place.json("out/path.json");
+        assert_eq!((&report["units"]["length"], &report["laws"]["bars"]), (&"mm".into(), &"linear".into()));
+        assert_eq!((&report["ended"], &report["unknowns"]), (&"reached".into(), &3.into()));
+        let events = report["events"].as_array().unwrap();
+        let limits: Vec<f64> =
+            events.iter().filter(|e| e["event"] == "limit").map(|e| e["load_factor"].as_f64().unwrap()).collect();
+        assert!(limits.len() == 2 && limits[0] > 0.0 && limits[1] < 0.0, "{limits:?}");
+        assert!((events.last().unwrap()["displacements"][0].as_f64().unwrap() + 0.9).abs() < 1e-9);
+        let mut table = csv::Reader::from_path(place.path("out/curve.csv")).unwrap();
+        let keys = table.headers().unwrap().clone();
+        assert_eq!(keys.iter().take(4).collect::<Vec<_>>(), ["step", "event", "load_factor", "u_4_z"]);
+        let rows: Vec<_> = table.records().collect::<Result<_, _>>().unwrap();
+        assert_eq!(report["points"], rows.len());
+        assert!(place.text("out/curve.svg").ends_with("</svg>\n"));
+        // The frames are sheets of the file's size.
+        let frames = place.json("out/frames.fold");
+        let last = frames["file_frames"].as_array().unwrap().last().unwrap();
+        assert!((last["vertices_coords"][4][2].as_f64().unwrap() + 0.5).abs() < 1e-9, "{last}");
+    }
+
+    #[test]
+    fn a_path_is_taken_up_again() {
+        let place = pyramid();
+        let job = place.text("press.json");
+        place.put("half.json", &job.replace("-0.9", "-0.5"));
+        place.run("analyse path pyramid.fold press.json -q -o whole").succeeds();
+        place.run("analyse path pyramid.fold half.json -q -o half").succeeds();
+        place.run("analyse path pyramid.fold press.json --restart half/path.json -q -o rest").succeeds();
+        let end = |folder: &str| {
+            let report = place.json(&format!("{folder}/path.json"));
+            report["events"].as_array().unwrap().last().unwrap()["load_factor"].as_f64().unwrap()
+        };
+        assert!((end("whole") - end("rest")).abs() < 1e-10);
+        place
+            .run("analyse path pyramid.fold press.json --restart half/path.json --branch 7 -o aside")
+            .fails(1, "--branch 7: half/path.json has");
+        place
+            .run("analyse path pyramid.fold press.json --restart press.json -o aside")
+            .fails(1, "press.json: `last` is missing; expected where the path ended");
+    }
+
+    #[test]
+    fn states_stiffness_and_modes_are_written() {
+        let place = pyramid();
+        let line = place.run("analyse equilibria pyramid.fold press.json -o out").succeeds().to_owned();
+        assert!(line.starts_with("out/equilibria.json: 3 states without load, 2 of them stable"), "{line}");
+        let states = place.json("out/equilibria.json");
+        let barrier = states["equilibria"][0]["barrier"].as_f64().unwrap();
+        assert!((barrier - states["equilibria"][1]["energy"].as_f64().unwrap()).abs() < 1e-12 && barrier > 0.0);
+        assert_eq!(place.json("out/equilibria.fold")["file_frames"].as_array().unwrap().len(), 3);
+
+        place.run("analyse stiffness pyramid.fold press.json -q -o out").succeeds();
+        let stiffness = place.json("out/stiffness.json");
+        let sunk = stiffness["displacements"][4][2].as_f64().unwrap();
+        assert!((stiffness["compliance"].as_f64().unwrap() + sunk).abs() < 1e-12 && sunk < 0.0);
+        let forces = stiffness["reactions"].as_array().unwrap().iter().filter(|r| r["axis"] == "z");
+        assert!((forces.map(|r| r["force"].as_f64().unwrap()).sum::<f64>() - 1.0).abs() < 1e-9);
+
+        place.run("analyse buckling pyramid.fold press.json -n 1 -q -o out").succeeds();
+        let critical = &place.json("out/buckling.json")["load_factors"];
+        assert!(critical[0].as_f64().is_some_and(|factor| factor > 0.0), "{critical}");
+
+        let job = place.text("press.json");
+        let heavy = job.replace("\"force\": \"N\"", "\"force\": \"N\", \"mass\": \"g\"").replacen(
+            "\"supports\"",
+            "\"masses\": [{\"on\": {\"vertices\": [0, 1, 2, 3, 4]}, \"mass\": 2}], \"supports\"",
+            1,
+        );
+        place.put("heavy.json", &heavy);
+        place.run("analyse modes pyramid.fold heavy.json -n 3 -q -o out").succeeds();
+        let modes = place.json("out/modes.json");
+        let lowest = &modes["modes"][0];
+        // Of 2 g on springs in N/mm.
+        let wanted = (lowest["eigenvalue"].as_f64().unwrap() * 1e6).sqrt() / std::f64::consts::TAU;
+        assert!((lowest["frequency"].as_f64().unwrap() / wanted - 1.0).abs() < 1e-12, "{modes}");
+        assert_eq!(modes["modes"].as_array().unwrap().len(), 3);
+        place.run("analyse modes square.fold -n 8 -q -o out").succeeds();
+        assert_eq!(place.json("out/modes.json")["counts"][0], serde_json::json!(["free", 6]));
+    }
+
+    #[test]
+    fn bad_jobs_are_refused_by_key_and_write_nothing() {
+        let place = pyramid();
+        let job = place.text("press.json");
+        for (old, new, told) in [
+            ("\"fixed\": true", "\"fixed\": \"z\"", "pyramid.fold: supports: they leave 3 rigid motions free"),
+            ("\"at\": [0, 0, 0.4]", "\"vertices\": [5]", "bad.json: loads[0].on.vertices[0]: is vertex 5; expected"),
+            ("\"mm\"", "\"ell\"", "bad.json: units.length: is `ell`"),
+            ("\"ea\"", "\"eb\"", "bad.json: bar.eb: unknown field `eb`"),
+        ] {
+            place.put("bad.json", &job.replacen(old, new, 1));
+            place.run("analyse path pyramid.fold bad.json -o out").fails(1, told);
+            assert!(!place.has("out/path.json"), "{told}");
+        }
+        place.run("analyse path pyramid.fold none.json -o out").fails(1, "none.json: ");
+    }
+}

@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn messages_say_what_is_there_and_what_was_expected() {
         let cases = [
-            ("swep", "swep: there is no such command, perhaps sweep; expected fold, sweep, "),
+            ("swep", "swep: there is no such command, perhaps sweep; expected fold, sweep, merge, "),
             ("unfurl", "unfurl: there is no such command; expected fold, sweep, "),
             (
                 "fold a.fold --persent 3 -o b",
@@ -137,14 +137,14 @@ mod tests {
             ("fold a.fold -o b --backend tpu", "--backend tpu: is not known; expected auto, cpu or gpu"),
             (
                 "fold a.fold -o b --solver rela",
-                "--solver rela: is not known, perhaps relax; expected relax, dynamics or newton",
+                "--solver rela: is not known, perhaps relax; expected relax, dynamics, newton or reflect",
             ),
             ("fold a.fold -o b --percent nan", "--percent nan: expected a finite number"),
             ("fold a.fold -o b --threads 0", "--threads 0: expected a whole number of at least 1"),
             ("fold a.fold -o b --frames 0", "--frames 0: expected a whole number from 1 to 100000"),
             ("fold a.fold -o b --steps 1.5", "--steps 1.5: expected a whole number of at least 0"),
             ("fold a.fold -o b --percent", "--percent <P>: no value is given; expected one"),
-            ("fold a.fold -o b --solver", "--solver <SOLVER>: no value is given; expected relax, dynamics or newton"),
+            ("fold a.fold -o b --solver", "--solver <SOLVER>: no value is given; expected relax, dynamics, newton or reflect"),
             ("fold", "missing: <INPUT>..., --output <OUT>; expected origami fold [OPTIONS] <INPUT>... -o <OUT>"),
             (
                 "fold a.fold -o b --strain --map energy",

@@ -13,6 +13,7 @@
 //! | at which load it buckles, by linear analysis | [`Structure::buckling`] |
 //! | how it vibrates | [`Structure::modes`] |
 //! | how a result changes with what it is made of | [`Structure::gradient`] |
+//! | of what it must be made so that a result is as wanted | [`Structure::design`] |
 //! | its stiffness in one state, factorised | [`Structure::tangent`] |
 
 mod adjoint;
@@ -20,6 +21,7 @@ mod buckling;
 mod check;
 mod compliance;
 mod configuration;
+mod design;
 mod dof;
 mod eigen;
 mod elements;
@@ -28,6 +30,7 @@ mod equilibria;
 pub mod job;
 mod laws;
 mod matrix;
+mod minimise;
 mod modes;
 mod pressure;
 mod refused;
@@ -40,10 +43,12 @@ pub use adjoint::Gradient;
 pub use buckling::Buckling;
 pub use compliance::FirstOrder;
 pub use configuration::Configuration;
+pub use design::{Designed, Members, Variable};
 pub use dof::{Axis, Dof};
 pub use elements::Energies;
 pub use equilibria::Equilibrium;
 pub use laws::{BarLaw, HingeLaw, Response};
+pub use minimise::Effort;
 pub use modes::{Mode, ModeKind};
 pub use refused::Refused;
 pub use structure::{Bar, Corners, Hinge, HingeKind, Loads, Structure, Supports};

@@ -5,6 +5,7 @@
 //! them.
 
 mod case;
+mod designs;
 mod gradients;
 mod jobs;
 mod miura;

@@ -1,0 +1,106 @@
+//! Inverse design: what is found is as wanted, by what is known of it.
+
+use std::f64::consts::TAU;
+
+use origami_core::analysis::{Bar, BarLaw, Effort, Members, Structure, Variable};
+use origami_core::glam::DVec3;
+use origami_core::ids::NodeId;
+use origami_core::scene::Axes;
+
+use crate::miura::miura;
+
+const SIDES: u32 = 6;
+
+/// Two hexagons of radius 1, the upper one `height` above and turned by `turn`; the lower one is fixed. Bars alone.
+fn kresling(height: f64, turn: f64) -> Structure {
+    let ring = |z: f64, turn: f64| {
+        (0..SIDES).map(move |i| {
+            let angle = turn + TAU * f64::from(i) / f64::from(SIDES);
+            DVec3::new(angle.cos(), angle.sin(), z)
+        })
+    };
+    let mut structure = Structure { nodes: ring(0.0, 0.0).chain(ring(height, turn)).collect(), ..Structure::default() };
+    for i in 0..SIDES {
+        let next = (i + 1) % SIDES;
+        // One of each kind after the other: upright, leaning, around the top.
+        for nodes in [[i, SIDES + i], [i, SIDES + next], [SIDES + i, SIDES + next]] {
+            let nodes = nodes.map(NodeId);
+            let rest_length = structure.nodes[nodes[0].index()].distance(structure.nodes[nodes[1].index()]);
+            structure.bars.push(Bar { nodes, rest_length, rigidity: 20.0, law: BarLaw::Linear });
+        }
+        structure.hold(NodeId(i), Axes::ALL);
+    }
+    structure
+}
+
+#[test]
+fn a_kresling_has_its_second_state_at_the_height_wanted() {
+    // Stress-free at 1.5 and 40 degrees, and again at 1.0321 and 80 degrees: psi2 = pi - 2 pi / N - psi1.
+    let first = kresling(1.5, 40_f64.to_radians());
+    let second = kresling(1.0320888862379558, 80_f64.to_radians()).as_drawn();
+    assert!(first.energies(&second).total() < 1e-25, "{:?}", first.energies(&second));
+    let kind = |k: usize| Members::RestLengths((0..SIDES as usize).map(|i| 3 * i + k).collect());
+    let variables = [0, 1].map(|k| Variable { members: kind(k), bounds: [1.0, 3.0] });
+    let wanted = 0.9;
+    let mut objective = |at: &origami_core::analysis::Configuration| {
+        let top = &at.positions[SIDES as usize..];
+        let height = top.iter().map(|p| p.z).sum::<f64>() / f64::from(SIDES);
+        let mut by_positions = vec![DVec3::ZERO; at.positions.len()];
+        by_positions[SIDES as usize..].fill(DVec3::Z * ((height - wanted) / f64::from(SIDES)));
+        (0.5 * (height - wanted).powi(2), by_positions)
+    };
+    let effort = Effort { enough: 1e-20, ..Effort::default() };
+    let found = first.design(&second, 0.0, &variables, &effort, &mut objective).expect("a design");
+    assert!(found.value <= 1e-20, "{found:?}");
+    let top = &found.at.positions[SIDES as usize..];
+    assert!(top.iter().all(|p| (p.z - wanted).abs() < 1e-9), "{top:?}");
+    // It is stress-free there, and so is the first state: its height by the closed form
+    // z1^2 = z2^2 - 4 cos(pi / N) cos(psi2 + pi / N).
+    assert!(found.structure.energies(&found.at).total() < 1e-20);
+    let half = std::f64::consts::PI / f64::from(SIDES);
+    let turn = top[0].y.atan2(top[0].x);
+    let height = (wanted * wanted - 4.0 * half.cos() * (turn + half).cos()).sqrt();
+    let mirrored = kresling(height, std::f64::consts::PI - 2.0 * half - turn);
+    for (own, wanted) in found.structure.bars.iter().zip(&mirrored.bars) {
+        assert!((own.rest_length - wanted.rest_length).abs() < 1e-9, "{own:?} {wanted:?}");
+    }
+}
+
+#[test]
+fn rest_angles_are_found_that_give_a_shape() {
+    // A sheet that was bent by known rest angles is the target: it can be reached.
+    let mut flat = miura([2, 2], 60_f64.to_radians(), 50_f64.to_radians(), [1e-2, 1e-2, 10.0]);
+    for (node, axes) in [(0, Axes::ALL), (4, Axes { x: true, y: false, z: true }), (20, Axes::Z)] {
+        flat.hold(NodeId(node), axes);
+    }
+    assert_eq!(flat.free_rigid_motions(), 0);
+    let mut bent = flat.clone();
+    bent.hinges.iter_mut().enumerate().for_each(|(i, hinge)| hinge.rest_angle += 0.1 * (1.0 + i as f64).sin());
+    let drawn = flat.as_drawn();
+    let target = bent.equilibrium(&drawn, 0.0).expect("an equilibrium").positions;
+    let mut objective = |at: &origami_core::analysis::Configuration| {
+        let by_positions: Vec<DVec3> = at.positions.iter().zip(&target).map(|(p, t)| *p - *t).collect();
+        (0.5 * by_positions.iter().map(|d| d.length_squared()).sum::<f64>(), by_positions)
+    };
+    let start = objective(&drawn).0;
+    let each = |i| Variable { members: Members::RestAngles(vec![i]), bounds: [-3.0, 3.0] };
+    let variables: Vec<Variable> = (0..flat.hinges.len()).map(each).collect();
+    let found = flat.design(&drawn, 0.0, &variables, &Effort::default(), &mut objective).expect("a design");
+    assert!(found.value < 1e-8 * start, "from {start} to {} in {}", found.value, found.evaluations);
+}
+
+#[test]
+fn a_variable_of_nothing_is_refused() {
+    let structure = kresling(1.5, 0.7);
+    let drawn = structure.as_drawn();
+    let mut nothing = |at: &origami_core::analysis::Configuration| (0.0, vec![DVec3::ZERO; at.positions.len()]);
+    for (members, bounds, told) in [
+        (Members::RestAngles(vec![0]), [0.0, 1.0], "variables[0].members: member 0; expected a hinge or bar"),
+        (Members::RestLengths(Vec::new()), [0.0, 1.0], "variables[0]: 0 members between 0 and 1"),
+        (Members::RestLengths(vec![1]), [2.0, 1.0], "variables[0]: 1 members between 2 and 1"),
+    ] {
+        let variables = [Variable { members, bounds }];
+        let refused = structure.design(&drawn, 0.0, &variables, &Effort::default(), &mut nothing).expect_err("refused");
+        assert!(refused.to_string().starts_with(told), "{refused}");
+    }
+}

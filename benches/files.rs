@@ -58,6 +58,7 @@ fn at_rest(model: &Model) -> Folded {
     Folded {
         state: State::at_rest(model),
         targets: origami::Targets::percent(0.0),
+        saddles: 0,
         reactions: Vec::new(),
         stop: Stop::StepsDone,
         steps: 0,

@@ -40,7 +40,7 @@ const MAY_USE: [(&str, &[&str]); 19] = [
 ];
 
 /// The workspace's crates: where each has its sources, and the file of its root module.
-const CRATES: [(&str, &str); 8] = [
+const CRATES: [(&str, &str); 9] = [
     (CORE, "lib.rs"),
     ("crates/origami-formats/src", "lib.rs"),
     (GPU, "lib.rs"),
@@ -48,6 +48,7 @@ const CRATES: [(&str, &str); 8] = [
     (STUDY, "lib.rs"),
     ("crates/origami-cli/src", "main.rs"),
     (SHADERS, "lib.rs"),
+    ("bindings/python/src", "lib.rs"),
     ("src", "lib.rs"),
 ];
 

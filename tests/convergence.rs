@@ -3,10 +3,12 @@
 mod common;
 
 use common::{fold, made, model};
-use origami::generate::{self, CurvedPleat, catalog};
+use origami::generate::{self, CurvedPleat, Hypar, catalog};
 use origami::measure::align;
-use origami::solve::{Stop, TimeStep, default_ramp};
-use origami::{Dynamics, Folded, Relax};
+use origami::model::Softening;
+use origami::scene::Scene;
+use origami::solve::{Stop, TimeStep, default_ramp, unwatched};
+use origami::{Dynamics, Folded, Relax, Solver};
 
 #[test]
 fn converged_states_are_within_the_tolerance() {
@@ -108,19 +110,45 @@ fn relaxation_ends_no_higher_than_the_papers_scheme() {
 #[test]
 fn a_tangled_state_is_folded_again_and_the_lower_energy_kept() {
     let model = made("crane");
-    let once = fold(&model, &Relax { retry: false, ..Relax::default() }, 100.0);
-    let again = fold(&model, &Relax::default(), 100.0);
-    assert!(once.state.tangled_creases() > 0 && once.attempts == 1);
+    // As stiff as its material all the way: softened, it does not tangle.
+    let stiff = Relax { softening: None, ..Relax::default() };
+    let once = fold(&model, &Relax { retry: false, ..stiff.clone() }, 100.0);
+    let again = fold(&model, &stiff, 100.0);
+    assert!(once.state.lost_creases() > 0 && once.attempts == 1);
     assert!(again.attempts > 1 && again.steps > once.steps);
     assert!(again.state.energy(&model).total() < once.state.energy(&model).total());
+    let soft = fold(&model, &Relax::default(), 100.0);
+    assert!(soft.attempts == 1 && soft.state.lost_creases() == 0);
+    assert!(soft.state.energy(&model).total() <= 1.001 * again.state.energy(&model).total());
 }
 
 #[test]
 fn the_default_ramp_grows_with_the_root_of_the_size() {
     let ramp = |n: usize| default_ramp(&model(&generate::miura(n, n).expect("valid")));
-    assert_eq!(ramp(10), 400);
+    assert_eq!(ramp(7), 400);
     let (small, large) = (f64::from(ramp(40)), f64::from(ramp(81)));
     assert!((large / small - 2.0).abs() < 0.01, "{small} and {large}");
+    let hypar = |rings: usize| default_ramp(&model(&Hypar { rings, ..Hypar::default() }.pattern().expect("valid")));
+    assert_eq!([hypar(8), hypar(70)], [400, 400], "281 nodes, and no crease that shall lie flat");
+}
+
+#[test]
+fn nothing_of_the_softness_is_left_at_the_end() {
+    for name in ["miura", "bird-base", "square-twist"] {
+        let model = made(name);
+        let soft = fold(&model, &Relax::default(), 60.0);
+        assert!(soft.converged());
+        // Asked to stay where it is by the material itself, it does.
+        let stay = Relax { softening: None, tolerance: 1e-7, perturbation: 0.0, ..Relax::default() };
+        let stayed = stay.fold(&model, &soft.state, &Scene::percent(60.0), &mut unwatched).expect("holds");
+        let moved = align(&stayed.state.positions, &soft.state.positions).max;
+        assert!(moved < 1e-4, "{name} moves by {moved}");
+        assert!(soft.residual < 1e-3, "{name}: a force of {}", soft.residual);
+        // The soft sheet is another one on the way.
+        let way = |softening| fold(&model, &Relax { softening, steps: Some(350), ..Relax::default() }, 60.0).state;
+        let apart = align(&way(None).positions, &way(Some(Softening::default())).positions).max;
+        assert!(apart > 1e-3, "{name}: apart by {apart}");
+    }
 }
 
 #[test]

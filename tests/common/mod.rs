@@ -24,7 +24,7 @@ pub(crate) enum Springs {
 impl Springs {
     /// The others as weak as the model allows, so that they cannot hide an error.
     pub(crate) fn material(self) -> Material {
-        let none = Material { ea: 1e-12, k_fold: 0.0, k_facet: 0.0, k_face: 0.0, zeta: 0.45 };
+        let none = Material { ea: 1e-12, k_fold: 0.0, k_facet: 0.0, k_face: 0.0, zeta: 0.45, collapse: 0.0 };
         match self {
             Self::Beams => Material { ea: 20.0, ..none },
             Self::Creases => Material { k_fold: 0.7, ..none },

@@ -88,7 +88,7 @@ impl Settings {
             style: drawn.then(|| Style::new(&args.picture)).transpose()?,
             film: Film { turntable: args.turntable, fps: args.fps },
             hold: args.hold.unwrap_or_default(),
-            material: args.material.material(),
+            material: args.material.material(material(solving.solver)),
             from_flat,
             // One longer than a clock can tell is none.
             max_time: args.max_seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()),
@@ -151,6 +151,11 @@ impl Settings {
             (SolverName::Dynamics, _) => None,
         }
     }
+}
+
+/// The material of a solver: the paper's motion has the paper's springs.
+pub(crate) fn material(solver: SolverName) -> Material {
+    if solver == SolverName::Dynamics { Material::paper() } else { Material::default() }
 }
 
 /// What folds.

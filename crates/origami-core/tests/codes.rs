@@ -242,8 +242,12 @@ fn every_kind_of_warning_has_its_code_and_its_place() {
     ends.sort_unstable();
     let place = Place::Creases(vec![CreasePlace::new(ends, Some(EdgeId::new(crease)))]);
     warnings.push((folded_warnings(&pattern, &one, &folded), CreaseOffTarget, place));
-    let told = of_state(&CreasePattern::read(case("vertex5_cannot_close")).expect("a pattern"), 90.0);
-    warnings.push((told, CrushedTriangle, Place::Triangles(vec![[VertexId(0), VertexId(1), VertexId(5)]])));
+    let vertex5 = CreasePattern::read(case("vertex5_cannot_close")).expect("a pattern");
+    let triangle = Place::Triangles(vec![[VertexId(0), VertexId(1), VertexId(5)]]);
+    let paper = Model::new(&vertex5, &Material::paper()).expect("a model");
+    let folded = Relax::default().fold_from_rest(&paper, 90.0).expect("it folds");
+    warnings.push((folded_warnings(&vertex5, &paper, &folded), CrushedTriangle, triangle.clone()));
+    warnings.push((of_state(&vertex5, 90.0), SqueezedTriangle, triangle));
 
     for (told, code, place) in &warnings {
         let found = told.iter().any(|warning| (warning.code, &warning.place) == (*code, place));

@@ -2,6 +2,9 @@
 
 use crate::limits::Lack;
 
+/// What cannot compute a thing, as refusals call it.
+pub(crate) const GPU: &str = "a GPU";
+
 /// Why the GPU cannot be used, or stopped.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]

@@ -1,7 +1,7 @@
 //! Which of the core's solvers a GPU can compute.
 
 use origami_core::model::Model;
-use origami_core::scene::Refusal;
+use origami_core::scene::{Refusal, Scene};
 use origami_core::solve::{Dynamics, Instance, Relax, Solver, State, TimeStep};
 
 use crate::engine::Engine;
@@ -105,7 +105,7 @@ impl<'r> Method<'r> {
     pub(crate) fn beginning<'m>(self, instance: &Instance<'m>, targets: Vec<f64>) -> Beginning<'m> {
         match self {
             Self::Relax(method) => {
-                let attempt = method.first_attempt(instance.model, &instance.start, &targets);
+                let attempt = method.first_attempt((instance.model, &instance.scene), &instance.start, &targets);
                 relax::beginning(method, instance, &targets, attempt)
             }
             Self::Dynamics(method) => dynamics::beginning(method, instance, targets),
@@ -115,7 +115,7 @@ impl<'r> Method<'r> {
     /// Evaluations of the ramp from the targets of `start` to others.
     pub(crate) fn ramp(self, model: &Model, start: &State, targets: &[f64]) -> u32 {
         match self {
-            Self::Relax(method) => method.first_attempt(model, start, targets).ramp,
+            Self::Relax(method) => method.first_attempt((model, &Scene::default()), start, targets).ramp,
             Self::Dynamics(method) => method.ramp,
         }
     }

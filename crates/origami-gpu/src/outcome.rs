@@ -9,7 +9,7 @@ use origami_core::model::Model;
 use origami_core::scene::{Held, Refusal};
 use origami_core::solve::{Diverged, Failed, Folded, Instance, Progress, State, Stop};
 
-use crate::error::GpuError;
+use crate::error::{GPU, GpuError};
 use crate::layout::{Control, CreaseState, NONE, Node, SETTLED, vector};
 use crate::run::Ending;
 use crate::single;
@@ -34,9 +34,6 @@ pub(crate) fn checked(instance: &Instance<'_>) -> Result<Vec<f64>, Refusal> {
     single::check_start(start)?;
     Ok(targets)
 }
-
-/// What cannot compute a thing, as refusals call it.
-pub(crate) const GPU: &str = "a GPU";
 
 /// Where an instance begins: its start, with the nodes of supports where they are held.
 pub(crate) fn placed(instance: &Instance<'_>) -> State {
@@ -127,7 +124,7 @@ pub(crate) fn folded(
     };
     let steps = u64::from(control.step);
     let (targets, distance) = (scene.targets.clone(), distance(control));
-    Ok(Folded { state, targets, stop, steps, time_step, residual, distance, attempts: 1, reactions })
+    Ok(Folded { state, targets, stop, steps, time_step, residual, distance, attempts: 1, saddles: 0, reactions })
 }
 
 /// An instance of which a node left all bounds.

@@ -49,7 +49,8 @@ impl<'m> Sheets<'m> for Attempts<'_, 'm> {
             let instance = self.asked.instances[i];
             match targets(instance) {
                 Ok(targets) => {
-                    let first = || self.relax.first_attempt(instance.model, &instance.start, &targets);
+                    let first =
+                        || self.relax.first_attempt((instance.model, &instance.scene), &instance.start, &targets);
                     let attempt = attempt.unwrap_or_else(first);
                     let beginning = beginning(self.relax, instance, &targets, attempt);
                     self.running.insert(i, (attempt, targets));
@@ -86,7 +87,7 @@ impl<'m> Sheets<'m> for Attempts<'_, 'm> {
                 if broken_off { best.map(|kept| Folded { stop: Stop::Cancelled, ..kept }) } else { best }
             }
         };
-        if !cancelled && let Some(another) = self.relax.next_attempt(model, &instance.start, attempt, &best) {
+        if !cancelled && let Some(another) = self.relax.next_attempt((model, scene), &instance.start, attempt, &best) {
             self.best.insert(i, best);
             self.waiting.push_front((i, Some(another)));
             return ControlFlow::Continue(());

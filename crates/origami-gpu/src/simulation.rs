@@ -11,12 +11,12 @@ use origami_core::scene::{Axes, Held, Load, Reaction, Refusal, Scene, Support, T
 use origami_core::solve::{self, Failed, Folded, Instance, Positions, Report, Saved, State};
 
 use crate::engine::Engine;
-use crate::error::GpuError;
+use crate::error::{GPU, GpuError};
 use crate::kernels::Binding;
 use crate::layout::{Control, CreaseState, NONE, Node, SETTLED};
 use crate::leaving::Leaving;
 use crate::method::{GpuMethod, Settings};
-use crate::outcome::{GPU, backend, checked, distance, diverged, folded, ramp_share, state};
+use crate::outcome::{backend, checked, distance, diverged, folded, ramp_share, state};
 use crate::outside::Outside;
 use crate::positions_buffer::PositionsBuffer;
 use crate::purpose::{Dispatch, Purpose};

@@ -7,7 +7,7 @@ use origami_core::model::{Model, StiffnessSource};
 use origami_core::scene::{Load, Refusal, Scene};
 use origami_core::solve::State;
 
-use crate::outcome::GPU;
+use crate::error::GPU;
 
 /// Sizes that numbers may have: f32 ends a hundred million times farther out, where what is made of them lies.
 const SIZES: RangeInclusive<f64> = 1e-30..=1e30;

@@ -3,7 +3,7 @@
 //! A study runs cases and collects its rows in a [`Study`]: tables, plots and the text between them, which
 //! [`Study::write`] makes files of (CSV, JSON, SVG, Markdown). [`accuracy::study`] measures the distance of each solver from
 //! the equilibrium against the time that it took; [`stability::study`] finds the longest time step that holds and compares
-//! what each solver claims with a reference.
+//! what each solver claims with a reference; [`flat::study`] folds patterns to their flat-folded states.
 //!
 //! ```no_run
 //! use origami_core::generate::BirdBase;
@@ -24,6 +24,7 @@
 #![forbid(unsafe_code)]
 
 pub mod accuracy;
+pub mod flat;
 mod gpu_choice;
 mod options;
 mod plot;

@@ -1,4 +1,4 @@
-//! The five numbers of the material.
+//! The numbers of the material.
 
 use clap::Args;
 use origami::model::Material;
@@ -24,19 +24,25 @@ pub(crate) struct MaterialArgs {
     /// Damping ratio, for `--solver dynamics` only [default: 0.45]
     #[arg(long, value_name = "X", value_parser = at_least_zero)]
     pub(crate) zeta: Option<f64>,
+    /// How strongly triangles resist losing the last fifth of their area, as a share of the stiffest crease; higher: they keep
+    /// more of it; 0: not at all [default: 0.03; 0 for `--solver dynamics`, as in the paper]
+    #[arg(long, value_name = "X", value_parser = at_least_zero)]
+    collapse: Option<f64>,
 }
 
 impl MaterialArgs {
-    /// The material asked for.
-    pub(crate) fn material(&self) -> Material {
-        let zeta = self.zeta.unwrap_or(Material::default().zeta);
-        Material { ea: self.ea, k_fold: self.k_fold, k_facet: self.k_facet, k_face: self.k_face, zeta }
+    /// The material asked for; what the arguments leave open is as in `others`.
+    pub(crate) fn material(&self, others: Material) -> Material {
+        let (zeta, collapse) = (self.zeta.unwrap_or(others.zeta), self.collapse.unwrap_or(others.collapse));
+        Material { ea: self.ea, k_fold: self.k_fold, k_facet: self.k_facet, k_face: self.k_face, zeta, collapse }
     }
 
     /// Its numbers with their options.
-    pub(crate) fn named(&self) -> [(&'static str, f64); 5] {
-        let Material { ea, k_fold, k_facet, k_face, zeta } = self.material();
-        [("--ea", ea), ("--k-fold", k_fold), ("--k-facet", k_facet), ("--k-face", k_face), ("--zeta", zeta)]
+    pub(crate) fn named(&self) -> [(&'static str, f64); 6] {
+        let Material { ea, k_fold, k_facet, k_face, zeta, collapse } = self.material(Material::default());
+        let paper = [("--ea", ea), ("--k-fold", k_fold), ("--k-facet", k_facet), ("--k-face", k_face)];
+        let [ea, k_fold, k_facet, k_face] = paper;
+        [ea, k_fold, k_facet, k_face, ("--zeta", zeta), ("--collapse", collapse)]
     }
 }
 

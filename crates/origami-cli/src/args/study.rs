@@ -16,6 +16,7 @@ Examples:
   origami study accuracy crane.fold miura -o out           Of one's own and a generated pattern
   origami study accuracy --backend gpu -o out              On a GPU too
   origami study stability -o out                           What holds on stiff and extreme scenes
+  origami study flat *.fold -o out                         Which fold flat, and how near
 
 Exit codes:
   0  done; what a solver did not hold is a row of the tables, not an error
@@ -23,8 +24,8 @@ Exit codes:
 
 /// Study how far the solvers can be trusted, and what they cost.
 ///
-/// Runs scenes with each solver and writes tables (CSV, JSON), plots (SVG) and a document with them (accuracy.md or
-/// stability.md) into a folder. What was there under the same names is replaced. Files are written whole or not at all.
+/// Runs scenes with each solver and writes tables (CSV, JSON), plots (SVG) and a document with them (STUDY.md) into a
+/// folder. What was there under the same names is replaced. Files are written whole or not at all.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, override_usage = "origami study [OPTIONS] <STUDY> [PATTERN]... -o <DIR>")]
 pub(crate) struct StudyArgs {
@@ -32,7 +33,7 @@ pub(crate) struct StudyArgs {
     #[arg(value_enum, value_name = "STUDY")]
     pub(crate) study: StudyName,
 
-    /// Of accuracy: patterns in place of the shipped scenes
+    /// Of accuracy and flat: patterns in place of the shipped scenes
     ///
     /// Files with crease patterns, `-` for standard input, or names that `origami pattern --list` has; ./NAME is a file in any case.
     #[arg(value_name = "PATTERN")]
@@ -74,6 +75,8 @@ pub(crate) enum StudyName {
     Accuracy,
     /// What holds on stiff and extreme scenes
     Stability,
+    /// Whether patterns that fold flat end in the exact flat-folded state, and at what cost
+    Flat,
 }
 
 /// Where runs take place.

@@ -171,7 +171,12 @@ impl SweepArgs {
         let count = counts.into_iter().try_fold(1_usize, |product, count| product.checked_mul(count?));
         match count {
             Some(count) if count <= MOST => {
-                Ok((Sweep { percents, materials: grid.materials(), perturbations, seeds: self.seeds }, count))
+                let mut materials = grid.materials();
+                if self.solving.solver == SolverName::Dynamics {
+                    // The paper's motion has the paper's springs.
+                    materials.iter_mut().for_each(|material| material.collapse = Material::paper().collapse);
+                }
+                Ok((Sweep { percents, materials, perturbations, seeds: self.seeds }, count))
             }
             _ => {
                 let number = count.map_or_else(|| "more than can be counted".to_owned(), |n| grouped(n as u64));

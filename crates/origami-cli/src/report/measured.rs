@@ -16,6 +16,8 @@ pub(crate) struct Measured {
     pub(crate) converged: bool,
     pub(crate) stop: Ending,
     pub(crate) attempts: u32,
+    #[serde(default)]
+    pub(crate) saddles: u32,
     pub(crate) residual: Option<f64>,
     pub(crate) distance: Option<f64>,
     pub(crate) strain: Option<Statistics>,
@@ -58,6 +60,7 @@ pub(crate) struct Energy {
     beams: f64,
     creases: f64,
     corner_angles: f64,
+    areas: f64,
     total: f64,
 }
 
@@ -88,6 +91,7 @@ impl Measured {
             converged: folded.converged(),
             stop: folded.stop.into(),
             attempts: folded.attempts,
+            saddles: folded.saddles,
             residual: Some(folded.residual),
             distance: Some(folded.distance),
             strain: Some(strain.beams.into()),
@@ -96,6 +100,7 @@ impl Measured {
                 beams: energy.beams,
                 creases: energy.creases,
                 corner_angles: energy.corner_angles,
+                areas: energy.areas,
                 total: energy.total(),
             }),
             angle_error_deg: Some(AngleError { mean: angles.mean, max: angles.max }),

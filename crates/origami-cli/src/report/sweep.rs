@@ -116,13 +116,13 @@ pub(crate) struct Varied {
 
 impl Varied {
     pub(crate) fn new(material: &Material, point: &Point) -> Self {
-        let Material { ea, k_fold, k_facet, k_face, zeta } = *material;
+        let Material { ea, k_fold, k_facet, k_face, zeta, .. } = *material;
         Self { ea, k_fold, k_facet, k_face, zeta, perturbation: point.perturbation, seed: point.seed }
     }
 }
 
 /// The columns of sweep.csv: where a row of the JSON has them. Numbers and words of our own, which need no quotes.
-const COLUMNS: [&str; 31] = [
+const COLUMNS: [&str; 32] = [
     "index",
     "ea",
     "k_fold",
@@ -145,6 +145,7 @@ const COLUMNS: [&str; 31] = [
     "energy/beams",
     "energy/creases",
     "energy/corner_angles",
+    "energy/areas",
     "energy/total",
     "angle_error_deg/mean",
     "angle_error_deg/max",

@@ -197,6 +197,8 @@ codes! {
         OpenCrease = "open-crease",
         /// Triangles that were crushed to a line while the sheet was folded.
         CrushedTriangle = "crushed-triangle",
+        /// Triangles that are kept from being crushed by springs that the paper does not have.
+        SqueezedTriangle = "squeezed-triangle",
         /// Something that was asked for is not to be had, and something else was taken.
         Fallback = "fallback",
         /// An end that came near a line or another end, and was joined to it.

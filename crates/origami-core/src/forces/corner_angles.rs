@@ -47,6 +47,16 @@ impl Triangle {
         !has_area
     }
 
+    pub(crate) fn doubled_area(&self) -> f64 {
+        self.doubled_area
+    }
+
+    /// How twice the area changes as each corner moves: `n x` the side opposite to it.
+    pub(crate) fn area_gradient(&self) -> [DVec3; 3] {
+        let [ab, bc, ca] = self.sides;
+        [bc, ca, ab].map(|side| self.normal.cross(side) / self.doubled_area)
+    }
+
     #[inline(always)]
     pub(crate) fn deviations(&self, corners: &CornerAngles) -> [f64; 3] {
         let [ab, bc, ca] = self.sides;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{beams, corner_angles, creases};
+use super::{areas, beams, corner_angles, creases};
 use crate::model::Model;
 use crate::scene::{Load, Scene};
 
@@ -15,6 +15,8 @@ pub struct Energy {
     pub creases: f64,
     /// Sheared triangles.
     pub corner_angles: f64,
+    /// Triangles kept from collapse; 0 unless one has lost four fifths of its area.
+    pub areas: f64,
     /// Dead loads: the negative of their work from the sheet at rest.
     pub loads: f64,
     /// Forces of the embedder's own, of those that have an energy.
@@ -29,6 +31,7 @@ impl Energy {
             beams: beams::energy(model, positions),
             creases: creases::energy(model, fold_angles, targets),
             corner_angles: corner_angles::energy(model, positions),
+            areas: areas::energy(model, positions),
             ..Self::default()
         }
     }
@@ -47,6 +50,6 @@ impl Energy {
     /// The sum.
     #[must_use]
     pub fn total(&self) -> f64 {
-        self.beams + self.creases + self.corner_angles + self.loads + self.own_forces
+        self.beams + self.creases + self.corner_angles + self.areas + self.loads + self.own_forces
     }
 }

@@ -4,6 +4,7 @@
 //! Each kind adds its forces to the nodes in a fixed order: the same input gives the same bits.
 
 mod angle;
+pub mod areas;
 pub mod beams;
 pub mod corner_angles;
 pub mod creases;
@@ -66,7 +67,7 @@ impl<'m> Forces<'m> {
         }
     }
 
-    /// Forces of beams, creases and corner angles, loads and forces of one's own at `positions`, by node; held nodes feel
+    /// Forces of beams, creases, corner angles and areas, loads and forces of one's own at `positions`, by node; held nodes feel
     /// none along the axes that hold them.
     ///
     /// `targets` are the angles asked of the creases; `fold_angles` holds the angles of the evaluation before, from
@@ -76,6 +77,7 @@ impl<'m> Forces<'m> {
         beams::add_forces(self.model, positions, &mut self.values);
         creases::add_forces(self.model, positions, targets, fold_angles, &mut self.anchors, &mut self.values);
         corner_angles::add_forces(self.model, positions, &mut self.values);
+        areas::add_forces(self.model, positions, &mut self.values);
         self.loads.iter().for_each(|load| self.values[load.node.index()] += load.force);
         self.own.iter().for_each(|own| own.add_forces(positions, &self.no_velocities, &mut self.values));
         let reaction = |(node, axes): (NodeId, Axes)| Reaction { node, force: -axes.of(self.values[node.index()]) };

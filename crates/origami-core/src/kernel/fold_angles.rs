@@ -4,6 +4,7 @@ use super::angle::{angle_of, unwrapped};
 use super::blocks::CREASES;
 use super::lane::{GatherScatter, Num, Vec3};
 use super::near::Near;
+use super::real::Real;
 use crate::model::DEGENERATE;
 
 /// Writes the angles and moments of the creases of a block; the result is the most by which one turned, in radians.
@@ -14,7 +15,7 @@ pub(super) fn fold_angles<L: GatherScatter>(
     lane: L,
     near: &Near<L::Real>,
     hinges: &[u8],
-    (stiffness, targets): (&[L::Real], &[L::Real]),
+    (stiffness, targets, wrong_side): (&[L::Real], &[L::Real], f64),
     angles: &mut [L::Real],
     [sines, moments]: [&mut [L::Real; CREASES]; 2],
 ) -> Num<L> {
@@ -33,7 +34,10 @@ pub(super) fn fold_angles<L: GatherScatter>(
         let previous = Num::load(lane, angles);
         let (stiffness, target) = (Num::load(lane, stiffness), Num::load(lane, target));
         let (sine, cosine) = (Num::load(lane, sines), Num::load(lane, moments));
-        let (angle, moment) = angle_and_moment([sine, cosine], previous, target, stiffness);
+        let (angle, mut moment) = angle_and_moment([sine, cosine], previous, target, stiffness);
+        if wrong_side > 0.0 {
+            moment = back_to_flat(moment, angle, target, stiffness * Num::splat(lane, wrong_side));
+        }
         most = most.max((angle - previous).abs());
         angle.store(angles);
         moment.store(moments);
@@ -56,6 +60,15 @@ fn sine_and_cosine<L: GatherScatter>(lane: L, near: &Near<L::Real>, nodes: &[u8]
     let sound = limit.less(squared) & least.less(normal_one.dot(normal_one)) & least.less(normal_two.dot(normal_two));
     let (y, x) = (squared.sqrt() * normal_two.dot(to_one), normal_one.dot(normal_two));
     [sound.select(y, zero), sound.select(x, zero)]
+}
+
+/// The moment with what turns a crease back that is folded to the other side than its target.
+#[inline(always)]
+fn back_to_flat<L: GatherScatter>(moment: Num<L>, angle: Num<L>, target: Num<L>, stiffness: Num<L>) -> Num<L> {
+    let [zero, pulls] = [0.0, L::Real::LEAST].map(|x| Num::splat(moment.lane, x));
+    // One that is not sound is without a moment.
+    let wrong = (angle * target).less(zero) & pulls.less(moment.abs());
+    wrong.select(stiffness.sub_mul(angle, moment), moment)
 }
 
 /// Fold angles and moments.

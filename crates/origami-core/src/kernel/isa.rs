@@ -33,7 +33,7 @@ pub(crate) enum Isa {
 
 impl Isa {
     /// All that this processor has, the best one last; those of tests are never the best.
-    pub(super) fn all() -> Vec<Self> {
+    pub(crate) fn all() -> Vec<Self> {
         let all = std::iter::once(Self::Portable);
         #[cfg(test)]
         let all = [Self::PortableFused, Self::Counting].into_iter().chain(all);
@@ -42,8 +42,23 @@ impl Isa {
         all.collect()
     }
 
+    /// What to call it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Portable => "portable",
+            #[cfg(test)]
+            Self::PortableFused => "portable, fused",
+            #[cfg(test)]
+            Self::Counting => "counting",
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(_) => "AVX2",
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512(_) => "AVX-512",
+        }
+    }
+
     /// The one that is fastest.
-    pub(super) fn best() -> Self {
+    pub(crate) fn best() -> Self {
         Self::all().pop().unwrap_or(Self::Portable)
     }
 }

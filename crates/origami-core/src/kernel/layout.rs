@@ -4,7 +4,7 @@ use std::iter::{empty, repeat};
 
 use crate::csr::Csr;
 use crate::ids::NodeId;
-use crate::model::Model;
+use crate::model::{Beam, Model, Softening};
 
 use super::blocks::{Block, Cutter, FILLING, NODES};
 use super::of_triangles::OfTriangles;
@@ -26,6 +26,8 @@ pub(super) struct Layout<R> {
     pub(super) hinges: Vec<u8>,
     /// By crease.
     pub(super) stiffness: Vec<R>,
+    /// Which one of the model each triangle is; for the filling a number that none has.
+    pub(super) triangles: Vec<u32>,
     /// By chunk of triangles: the three corners.
     pub(super) corners: Vec<u8>,
     /// By chunk of triangles: the block's creases on the sides 0-1, 1-2 and 2-0.
@@ -37,6 +39,8 @@ pub(super) struct Layout<R> {
     /// By chunk of triangles: the product of the two sides at the first corner at rest, the same at the second, and the
     /// doubled area; or numbers in their proportion.
     pub(super) angles: Vec<R>,
+    /// Which of the beams outside any triangle each one is; for the filling a number that none has.
+    pub(super) loose: Vec<u32>,
     /// By chunk of beams outside any triangle: their two ends.
     pub(super) loose_ends: Vec<u8>,
     /// By the same chunks: rest length, stiffness, damping.
@@ -54,6 +58,10 @@ pub(super) struct Layout<R> {
     /// Creases that are in a second block: their place there, and the first one.
     pub(super) copies: Vec<[u32; 2]>,
     pub(super) k_face: f64,
+    pub(super) k_area: f64,
+    /// What pulls a crease back to flat from the side that its target is not on, in units of its stiffness.
+    pub(super) wrong_side: f64,
+    pub(super) softening: Option<Softening>,
     pub(super) damped: bool,
 }
 
@@ -79,11 +87,13 @@ impl<R: Real> Layout<R> {
             block_nodes: Vec::new(),
             hinges: Vec::new(),
             stiffness: Vec::new(),
+            triangles: Vec::new(),
             corners: Vec::new(),
             creases: Vec::new(),
             beams: Vec::new(),
             damping: Vec::new(),
             angles: Vec::new(),
+            loose: Vec::new(),
             loose_ends: Vec::new(),
             loose_beams: Vec::new(),
             counts: Vec::new(),
@@ -92,6 +102,9 @@ impl<R: Real> Layout<R> {
             place_of_crease: vec![u32::MAX; model.creases.len()],
             copies: Vec::new(),
             k_face: model.material.k_face,
+            k_area: model.k_area(),
+            wrong_side: 0.0,
+            softening: None,
             damped: damped && model.material.zeta > 0.0,
         };
         let springs = OfTriangles::new(model);
@@ -114,8 +127,8 @@ impl<R: Real> Layout<R> {
         self.blocks.push(Starts {
             nodes: self.block_nodes.len(),
             creases: self.stiffness.len(),
-            triangles: self.corners.len() / 3,
-            loose: self.loose_ends.len() / 2,
+            triangles: self.triangles.len(),
+            loose: self.loose.len(),
             sums: self.counts.len(),
             summands: self.summands.len(),
             acted_on: 0,
@@ -134,44 +147,46 @@ impl<R: Real> Layout<R> {
         }
         // At least one place is left over: sides without a crease refer to the first one after the last crease.
         let count = (block.creases.len() + 1).next_multiple_of(width);
-        self.hinges.extend(chunks(width, count, block.hinges.iter().copied(), [2, 3, 0, 1].map(filling)));
+        lay(&mut self.hinges, (width, count), block.hinges.iter().copied(), [2, 3, 0, 1].map(filling));
         let stiffness = block.creases.iter().map(|c| R::of(model.creases[*c as usize].stiffness));
         self.stiffness.extend(stiffness.chain(repeat(R::of(0.0))).take(count));
     }
 
     fn take_triangles(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
         let count = block.triangles.len().next_multiple_of(width);
-        self.corners.extend(chunks(width, count, block.corners.iter().copied(), [0, 1, 2].map(filling)));
+        self.triangles.extend(block.triangles.iter().copied().chain(repeat(u32::MAX)).take(count));
+        lay(&mut self.corners, (width, count), block.corners.iter().copied(), [0, 1, 2].map(filling));
         if !model.creases.is_empty() {
             let none = block.creases.len() as u16;
             let on_sides = block.creases_of_sides.iter().map(|sides| sides.map(|crease| crease.unwrap_or(none)));
-            self.creases.extend(chunks(width, count, on_sides, [none; 3]));
+            lay(&mut self.creases, (width, count), on_sides, [none; 3]);
         }
         let sides = block.triangles.iter().map(|t| springs.sides[*t as usize]);
         let beams = sides.clone().map(|sides| {
             let [[a, k_a], [b, k_b], [c, k_c]] = sides.map(|s| springs.beam(model, s).map(R::of));
             [a, b, c, k_a, k_b, k_c]
         });
-        self.beams.extend(chunks(width, count, beams, [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(R::of)));
+        lay(&mut self.beams, (width, count), beams, [1.0, 1.0, 1.0, 0.0, 0.0, 0.0].map(R::of));
         if self.damped {
             let share = |s: u32| R::of(springs.share_of(model, s) * springs.damping[s as usize]);
-            self.damping.extend(chunks(width, count, sides.map(|sides| sides.map(share)), [R::of(0.0); 3]));
+            lay(&mut self.damping, (width, count), sides.map(|sides| sides.map(share)), [R::of(0.0); 3]);
         }
         if !model.corner_angles.is_empty() {
             let angles = block.triangles.iter().map(|t| springs.angles[*t as usize].map(R::of));
-            self.angles.extend(chunks(width, count, angles, [0.5, 0.5, 1.0].map(R::of)));
+            lay(&mut self.angles, (width, count), angles, [0.5, 0.5, 1.0].map(R::of));
         }
     }
 
     fn take_loose_beams(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
         let count = block.loose.len().next_multiple_of(width);
-        self.loose_ends.extend(chunks(width, count, block.loose_ends.iter().copied(), [0, 1].map(filling)));
+        self.loose.extend(block.loose.iter().copied().chain(repeat(u32::MAX)).take(count));
+        lay(&mut self.loose_ends, (width, count), block.loose_ends.iter().copied(), [0, 1].map(filling));
         let beams = block.loose.iter().map(|b| {
             let side = springs.loose[*b as usize];
             let [rest, stiffness] = springs.beam(model, side);
             [rest, stiffness, springs.damping[side as usize]].map(R::of)
         });
-        self.loose_beams.extend(chunks(width, count, beams, [1.0, 0.0, 0.0].map(R::of)));
+        lay(&mut self.loose_beams, (width, count), beams, [1.0, 0.0, 0.0].map(R::of));
     }
 
     fn take_sums(&mut self, width: usize, block: &Block) {
@@ -187,6 +202,27 @@ impl<R: Real> Layout<R> {
         let summands = Csr::from_entries(block.acted_on, summands);
         self.counts.extend(summands.iter().map(|own| own.len() as u16));
         self.summands.extend(summands.items());
+    }
+
+    /// Makes the springs so soft, whatever they were before; they are exactly the model's without.
+    pub(super) fn soften(&mut self, model: &Model, width: usize, softening: Option<Softening>) {
+        self.softening = softening;
+        self.wrong_side = softening.map_or(0.0, |soft| soft.wrong_side);
+        self.k_face = softening.map_or(1.0, |soft| soft.corner_angles) * model.material.k_face;
+        let stiffness = |beam: &Beam| softening.map_or(beam.stiffness, |soft| soft.of_beam(model, beam));
+        let springs = OfTriangles::new(model);
+        let own = |side: u32| R::of(springs.share_of(model, side) * stiffness(&model.beams[side as usize]));
+        for (place, triangle) in self.triangles.iter().enumerate() {
+            // None for the filling.
+            for (i, side) in springs.sides.get(*triangle as usize).into_iter().flatten().enumerate() {
+                self.beams[at(width, place, (3 + i, 6))] = own(*side);
+            }
+        }
+        for (place, loose) in self.loose.iter().enumerate() {
+            if let Some(side) = springs.loose.get(*loose as usize) {
+                self.loose_beams[at(width, place, (1, 3))] = own(*side);
+            }
+        }
     }
 
     /// Gives each node a slot in each of its blocks, then each of those `outside`, which are in order, one more.
@@ -228,18 +264,20 @@ fn at(width: usize, e: usize, (field, fields): (usize, usize)) -> usize {
     (e / width * fields + field) * width + e % width
 }
 
-/// `count` elements in this layout: `elements`, then as many copies of `filling` as there is room for.
-fn chunks<T: Copy, const FIELDS: usize>(
-    width: usize,
-    count: usize,
+/// Adds `count` elements in this layout to a list: `elements`, then as many copies of `filling` as there is room for.
+fn lay<T: Copy, const FIELDS: usize>(
+    list: &mut Vec<T>,
+    (width, count): (usize, usize),
     elements: impl Iterator<Item = [T; FIELDS]>,
     filling: [T; FIELDS],
-) -> Vec<T> {
-    let mut laid_out = vec![filling[0]; count * FIELDS];
-    for (e, element) in elements.chain(repeat(filling)).take(count).enumerate() {
-        for (field, value) in element.into_iter().enumerate() {
-            laid_out[at(width, e, (field, FIELDS))] = value;
+) {
+    let (first, mut elements) = (list.len(), elements.chain(repeat(filling)));
+    list.resize(first + count * FIELDS, filling[0]);
+    for chunk in list[first..].chunks_exact_mut(width * FIELDS) {
+        for (side_by_side, element) in elements.by_ref().take(width).enumerate() {
+            for (field, value) in element.into_iter().enumerate() {
+                chunk[field * width + side_by_side] = value;
+            }
         }
     }
-    laid_out
 }

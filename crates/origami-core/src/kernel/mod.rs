@@ -10,6 +10,7 @@
 
 mod access;
 mod angle;
+mod areas;
 mod blocks;
 mod bounds;
 mod fire_move;
@@ -41,19 +42,18 @@ mod triangle_forces;
 mod tests;
 
 pub(crate) use bounds::Bounds;
-pub(crate) use isa::Compute;
+pub(crate) use isa::{Compute, Isa};
 pub(crate) use real::Quad64;
 
 use glam::DVec3;
 
-use crate::ids::NodeId;
-use crate::model::Model;
+use crate::ids::{CreaseId, NodeId};
+use crate::model::{Model, Softening};
 use crate::scene::{Axes, Held, Scene};
 use crate::twins::fire_update::{Decision, Sums};
 use blocks::NODES;
 use fire_move::FireMove;
 use integrate::{Euler, Verlet};
-use isa::Isa;
 use layout::Layout;
 use outside::{Apply, Outside};
 use parallelism::Parallelism;
@@ -101,7 +101,8 @@ impl<R: Compute> Kernel<R> {
         Self::with((Isa::best(), threads), model, damped, bounds, positions, velocities, angles)
     }
 
-    fn with(
+    /// The same by the instructions of `isa`.
+    pub(crate) fn with(
         (isa, threads): (Isa, usize),
         model: &Model,
         damped: bool,
@@ -196,11 +197,38 @@ impl<R: Compute> Kernel<R> {
         self.layout.by_crease(targets, &mut self.targets);
     }
 
+    /// Makes the springs so soft; they are exactly the model's without.
+    pub(crate) fn soften(&mut self, model: &Model, softening: Option<Softening>) {
+        if softening != self.layout.softening {
+            self.layout.soften(model, R::width(self.isa), softening);
+        }
+    }
+
+    /// How soft they are.
+    pub(crate) fn softening(&self) -> Option<Softening> {
+        self.layout.softening
+    }
+
+    /// Writes the creases that softening turns back to flat: those folded to the other side than their targets.
+    pub(crate) fn read_wrong_sides(&self, wrong: &mut Vec<CreaseId>) {
+        wrong.clear();
+        if self.layout.wrong_side == 0.0 {
+            return;
+        }
+        let is_wrong = |place: u32| {
+            let [angle, target] = [&self.angles, &self.targets].map(|list| list[place as usize].to_f64());
+            angle * target < 0.0
+        };
+        let creases = self.layout.place_of_crease.iter().enumerate();
+        wrong.extend(creases.filter(|(_, place)| is_wrong(**place)).map(|(crease, _)| CreaseId::new(crease)));
+    }
+
     /// First passes: fold angles, and forces of all springs, of the damping if `damped`, and from outside. The result is the
     /// most by which a crease turned since the last time, in radians.
     pub(crate) fn springs(&mut self, damped: bool) -> f64 {
         self.parallelism.step();
-        let tasks = self.parallelism.tasks();
+        // No block is shared.
+        let tasks = self.parallelism.tasks().min(self.layout.blocks.len() - 1).max(1);
         if self.scratch.len() < tasks {
             self.scratch.resize_with(tasks, Scratch::new);
         }

@@ -9,23 +9,17 @@ use super::real::{Quad64, Real};
 #[derive(Clone, Debug)]
 pub(super) struct Scratch<R: Real> {
     pub(super) near: Near<R>,
-    pub(super) velocities: [R::Quad; NODES],
+    pub(super) velocities: Box<[R::Quad; NODES]>,
     /// By crease of the block: numbers in proportion to the sines of fold angles, and moments.
-    pub(super) sines: [R; CREASES],
-    pub(super) moments: [R; CREASES],
+    pub(super) sines: Box<[R; CREASES]>,
+    pub(super) moments: Box<[R; CREASES]>,
     /// By chunk of triangles, corner after corner; then by chunk of loose beams.
-    pub(super) forces: [R::Quad; FORCES],
+    pub(super) forces: Box<[R::Quad; FORCES]>,
 }
 
 impl<R: Real> Scratch<R> {
     pub(super) fn new() -> Self {
-        Self {
-            near: Near::new(),
-            velocities: [R::Quad::default(); NODES],
-            sines: [R::default(); CREASES],
-            moments: [R::default(); CREASES],
-            forces: [R::Quad::default(); FORCES],
-        }
+        Self { near: Near::new(), velocities: list(), sines: list(), moments: list(), forces: list() }
     }
 
     /// Copies the velocities of `nodes` to the first places.
@@ -35,6 +29,11 @@ impl<R: Real> Scratch<R> {
             *own = velocities[*node as usize];
         }
     }
+}
+
+/// A list that is nowhere but in its place: a large one is slow to move there.
+fn list<T: Copy + Default, const N: usize>() -> Box<[T; N]> {
+    vec![T::default(); N].into_boxed_slice().try_into().unwrap_or_else(|_| Box::new([T::default(); N]))
 }
 
 /// Takes the positions of `nodes`, which become the first ones of a block.

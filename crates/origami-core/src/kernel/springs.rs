@@ -52,7 +52,7 @@ impl<R: Real> Pass<R> for Springs<'_, R> {
                 lane,
                 near,
                 &layout.hinges[4 * start.creases..4 * end.creases],
-                (&layout.stiffness[creases.clone()], &targets[creases]),
+                (&layout.stiffness[creases.clone()], &targets[creases], layout.wrong_side),
                 own_angles,
                 [sines, moments],
             );

@@ -8,6 +8,7 @@
 use std::ops::Range;
 
 use super::angle::small_angle_of;
+use super::areas;
 use super::blocks::{CREASES, NODES};
 use super::isa::Pass;
 use super::lane::{GatherScatter, Lane, Mask, Num, Vec3};
@@ -205,6 +206,13 @@ impl<R: Real> Input<'_, R> {
             let on_ca = stiff * (one - three) * (over_ca * over_ca);
             at_a = at_a + normal.cross(ca.sub_mul(on_ca, ab * on_ab));
             at_b = at_b + normal.cross(ab.sub_mul(on_ab, bc * on_bc));
+        }
+
+        if self.layout.k_area > 0.0
+            && let Some(pull) = areas::pull(self.layout.k_area, [rest_ab, rest_bc, rest_ca], doubled_area, over_area)
+        {
+            at_a = normal.cross(bc).mul_add(pull, at_a);
+            at_b = normal.cross(ca).mul_add(pull, at_b);
         }
 
         if !self.layout.creases.is_empty() {

@@ -19,6 +19,12 @@ pub(super) fn build(pattern: &CreasePattern, sheet: Arc<Sheet>, material: &Mater
     inventory.built("beams", beams.len());
     let creases = creases(pattern, mesh, material, rest, &mut inventory);
     let corner_angles = corner_angles(mesh, material, rest, &mut inventory);
+    let per_length = |crease: &Crease| {
+        let [.., i, j] = crease.nodes.map(|n| rest[n.index()]);
+        crease.stiffness / i.distance(j)
+    };
+    let stiffest_crease = creases.iter().map(per_length).fold(0.0, f64::max);
+    areas(mesh, material, stiffest_crease, &mut inventory);
 
     let mut fixed: Vec<NodeId> = pattern.fixed.iter().filter_map(|v| mesh.node_of_vertex[v.index()]).collect();
     fixed.sort_unstable();
@@ -30,7 +36,7 @@ pub(super) fn build(pattern: &CreasePattern, sheet: Arc<Sheet>, material: &Mater
     let isolated = pattern.vertices.len() - mesh.node_count() - pattern.alias_of.iter().flatten().count();
     inventory.left_out("vertices", isolated, "no edge or face uses them");
 
-    Ok(Model { sheet, material: *material, beams, creases, corner_angles, fixed, inventory })
+    Ok(Model { sheet, material: *material, beams, creases, corner_angles, stiffest_crease, fixed, inventory })
 }
 
 fn edge_of<'p>(pattern: &'p CreasePattern, side: &Side) -> Option<&'p PatternEdge> {
@@ -152,6 +158,17 @@ fn with_turn(measured: f64, target: f64) -> f64 {
     const NEARLY_FLAT: f64 = 160.0;
     let past = measured * target < 0.0 && measured.abs() > NEARLY_FLAT.to_radians();
     if past { measured + std::f64::consts::TAU.copysign(target) } else { measured }
+}
+
+/// Areas have no table of their own: whether they have springs is all that there is to say.
+fn areas(mesh: &Mesh, material: &Material, stiffest_crease: f64, inventory: &mut Inventory) {
+    if material.collapse == 0.0 {
+        inventory.left_out("areas", mesh.triangles.len(), "collapse is 0");
+    } else if stiffest_crease == 0.0 {
+        inventory.left_out("areas", mesh.triangles.len(), "there is no crease that could squeeze them");
+    } else {
+        inventory.built("areas", mesh.triangles.len());
+    }
 }
 
 fn corner_angles(mesh: &Mesh, material: &Material, rest: &[DVec3], inventory: &mut Inventory) -> Vec<CornerAngles> {

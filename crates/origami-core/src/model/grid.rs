@@ -21,7 +21,7 @@ pub struct MaterialGrid {
 
 impl Default for MaterialGrid {
     fn default() -> Self {
-        let Material { ea, k_fold, k_facet, k_face, zeta } = Material::default();
+        let Material { ea, k_fold, k_facet, k_face, zeta, .. } = Material::default();
         let [ea, k_fold, k_facet, k_face, zeta] = [ea, k_fold, k_facet, k_face, zeta].map(|x| vec![x]);
         Self { ea, k_fold, k_facet, k_face, zeta }
     }

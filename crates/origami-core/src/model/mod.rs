@@ -7,6 +7,7 @@ mod inventory;
 mod material;
 mod normalisation;
 mod sheet;
+mod softening;
 
 pub use elements::{Beam, CornerAngles, Crease, StiffnessSource};
 pub use grid::MaterialGrid;
@@ -14,6 +15,7 @@ pub use inventory::{Built, Inventory, LeftOut};
 pub use material::Material;
 pub use normalisation::Normalisation;
 pub use sheet::Sheet;
+pub use softening::Softening;
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -43,6 +45,8 @@ pub struct Model {
     pub creases: Vec<Crease>,
     /// Triangles that have corner springs.
     pub corner_angles: Vec<CornerAngles>,
+    /// The largest stiffness per unit of length of a crease: a force per radian; 0 without creases.
+    pub stiffest_crease: f64,
     /// Nodes that do not move.
     pub fixed: Vec<NodeId>,
     /// What was built and what was left out.
@@ -87,6 +91,12 @@ impl Model {
         let side = self.mesh.side_of_edge.get(edge.index()).copied().flatten()?;
         // Creases lie in the order of their sides.
         self.creases.binary_search_by_key(&side, |crease| crease.side).ok().map(CreaseId::new)
+    }
+
+    /// Stiffness of every triangle against collapse, per unit of its perimeter: a force. 0: they have no such springs.
+    #[must_use]
+    pub fn k_area(&self) -> f64 {
+        self.material.collapse * self.stiffest_crease
     }
 
     /// The fold angle asked of each crease at `percent` of the pattern's angles, in radians.

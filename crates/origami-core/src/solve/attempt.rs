@@ -6,12 +6,12 @@ use super::crushed::is_crushed;
 use super::largest::largest;
 use super::{Failed, Folded, State, Stop};
 use crate::forces::Forces;
-use crate::model::Model;
+use crate::model::{Model, Softening};
 use crate::scene::Scene;
 
 /// One way to a state.
 #[doc(hidden)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attempt {
     /// 1 for the first.
     pub number: u32,
@@ -21,6 +21,8 @@ pub struct Attempt {
     pub limit: u64,
     /// Whether it begins off every symmetry, as [`Relax::perturbation`](super::Relax::perturbation) says.
     pub perturbed: bool,
+    /// How soft the sheet is while the target angles rise; as its material where there is none.
+    pub softening: Option<Softening>,
 }
 
 /// The better of two states that are asked for the same, with the steps of both: one without crushed triangles, else the
@@ -80,6 +82,7 @@ pub fn or_crushed(
         residual,
         distance: f64::INFINITY,
         attempts,
+        saddles: 0,
         reactions: forces.reactions().to_vec(),
     })
 }

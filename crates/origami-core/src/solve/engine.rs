@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::relax::ramp_between;
+use super::relax::{ramp_between, softening_between};
 use super::stepper::{Limit, Stepper};
 use super::threads::{count, in_pool};
 use super::{Dynamics, Failed, Folded, Positions, Precision, Relax, Saved, Solver, State, Stop, unwatched};
 use crate::ids::NodeId;
-use crate::model::Model;
+use crate::model::{Model, Softening};
 use crate::scene::{Axes, Held, Load, Needs, Reaction, Refusal, Scene, Targets};
 
 /// How far a simulation has come.
@@ -125,6 +125,8 @@ struct Way {
     ramp: Option<u32>,
     /// How far nodes will be moved before they are first folded; 0 once that is done.
     perturbation: f64,
+    /// How soft the sheet is on its way from rest.
+    softening: Option<Softening>,
 }
 
 #[derive(Clone, Debug)]
@@ -152,18 +154,29 @@ impl Method for Relax {
         checked.map_err(|refusal| Failed::refused(refusal, start))?;
         let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
         let threads = count(model, self.threads);
-        let ramp = self.first_attempt(model, start, &targets).ramp;
+        let attempt = self.first_attempt((model, scene), start, &targets);
+        let (ramp, softening) = (attempt.ramp, attempt.softening);
         let begins = targets != start.targets || !scene.has_springs_only();
         let positions = self.first_positions(model, start, scene, &targets);
         let stepper = match self.precision {
-            Precision::F64 => {
-                Precise::F64(Box::new(self.stepper((model, start), positions, (scene, targets, ramp), threads)))
-            }
-            Precision::Mixed => {
-                Precise::Mixed(Box::new(self.stepper((model, start), positions, (scene, targets, ramp), threads)))
-            }
+            Precision::F64 => Precise::F64(Box::new(self.stepper(
+                (model, start),
+                positions,
+                (scene, targets, ramp, softening),
+                threads,
+            ))),
+            Precision::Mixed => Precise::Mixed(Box::new(self.stepper(
+                (model, start),
+                positions,
+                (scene, targets, ramp, softening),
+                threads,
+            ))),
         };
-        let way = Way { ramp: self.ramp, perturbation: if begins { 0.0 } else { self.perturbation } };
+        let way = Way {
+            ramp: self.ramp,
+            perturbation: if begins { 0.0 } else { self.perturbation },
+            softening: self.softening,
+        };
         Ok(CpuEngine { model: Arc::clone(model), scene: scene.clone(), start: start.clone(), threads, way, stepper })
     }
 }
@@ -179,7 +192,7 @@ impl Method for Dynamics {
             Precision::F64 => Precise::F64(Box::new(self.stepper(model, start, (scene, targets), threads))),
             Precision::Mixed => Precise::Mixed(Box::new(self.stepper(model, start, (scene, targets), threads))),
         };
-        let way = Way { ramp: Some(self.ramp), perturbation: 0.0 };
+        let way = Way { ramp: Some(self.ramp), perturbation: 0.0, softening: None };
         Ok(CpuEngine { model: Arc::clone(model), scene: scene.clone(), start: start.clone(), threads, way, stepper })
     }
 }
@@ -209,7 +222,7 @@ impl Engine for CpuEngine {
         let Self { model, start, threads, stepper, .. } = self;
         let origin = (&**model, &*start);
         either!(stepper, stepper => {
-            let limit = Limit { steps: stepper.steps + steps, all: !until_settled, crushed: None };
+            let limit = Limit { steps: stepper.steps + steps, all: !until_settled, crushed: None, lost: None };
             in_pool(*threads, || stepper.run(origin, limit, &mut unwatched))?;
         });
         Ok(self.report())
@@ -226,11 +239,12 @@ impl Engine for CpuEngine {
             return Ok(());
         }
         self.perturb();
-        let Self { model, way, stepper, .. } = self;
+        let Self { model, scene, way, stepper, .. } = self;
         either!(stepper, stepper => {
             let now: Vec<f64> = stepper.ramp.targets().collect();
             let ramp = way.ramp.unwrap_or_else(|| ramp_between(model, now.iter().copied(), &targets));
-            stepper.set_targets(targets, ramp);
+            let softening = softening_between(way.softening, (model, scene), now.iter().copied());
+            stepper.set_targets((model, softening), targets, ramp);
         });
         Ok(())
     }

@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::twins::fire_update::{Fire, RENEWAL, fire_update};
 
 use super::State;
-use super::row_sums::all_row_sums;
+use super::row_sums::{OnTheWay, all_row_sums};
 use super::surroundings::Surroundings;
 
 /// The minimiser's own state.
@@ -16,6 +16,8 @@ pub(super) struct Minimiser {
     masses: Vec<[f64; 2]>,
     #[cfg_attr(feature = "serde", serde(skip))]
     sums: Vec<f64>,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    way: OnTheWay,
     fire: Fire,
     evaluations: u64,
 }
@@ -23,12 +25,17 @@ pub(super) struct Minimiser {
 impl Minimiser {
     pub(super) fn new(model: &Model) -> Self {
         let (masses, sums) = (vec![[0.0; 2]; model.node_count()], vec![0.0; model.node_count()]);
-        Self { masses, sums, fire: Fire::default(), evaluations: 0 }
+        Self { masses, sums, way: OnTheWay::default(), fire: Fire::default(), evaluations: 0 }
     }
 
     /// The present step, in units of each node's own.
     pub(super) fn step(&self) -> f64 {
         self.fire.step
+    }
+
+    /// Takes the masses anew at the next evaluation.
+    pub(super) fn renew(&mut self) {
+        self.evaluations = 0;
     }
 
     /// Moves the sheet by the forces at its positions, which `state` is told where they are needed; false where a node may be
@@ -43,7 +50,10 @@ impl Minimiser {
         if self.evaluations.is_multiple_of(RENEWAL) {
             kernel.read_positions(&mut state.positions);
             self.sums.resize(model.node_count(), 0.0);
-            all_row_sums(kernel.shared(), (model, surroundings.forces()), &state.positions, &mut self.sums);
+            self.way.softening = kernel.softening();
+            kernel.read_wrong_sides(&mut self.way.wrong);
+            let shared = kernel.shared();
+            all_row_sums(shared, (model, &self.way, surroundings.forces()), &state.positions, &mut self.sums);
             self.masses.clear();
             self.masses.extend(self.sums.iter().map(|mass| [*mass, 1.0 / mass]));
         }

@@ -31,6 +31,7 @@ mod ramp;
 mod reflect;
 pub mod relax;
 pub mod row_sums;
+mod saddle;
 mod saved;
 mod settle;
 mod simulation;

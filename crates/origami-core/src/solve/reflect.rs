@@ -67,6 +67,7 @@ impl Solver for Reflect {
             residual,
             distance: spread,
             attempts: 1,
+            saddles: 0,
             reactions: forces.reactions().to_vec(),
         })
     }

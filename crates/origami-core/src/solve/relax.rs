@@ -10,20 +10,26 @@ use super::crushed::is_crushed;
 use super::fire::Minimiser;
 use super::perturb::perturb;
 use super::ramp::Ramp;
+use super::saddle::leave;
+use super::state::is_flat;
 use super::stepper::{Limit, Mover, Stepper};
 use super::threads::{count, share};
 use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, Session, Solver, State, Stop};
 use crate::kernel::Compute;
-use crate::model::{Inventory, Model};
+use crate::model::{Inventory, Model, Softening};
 use crate::scene::{Held, Needs, Refusal, Scene};
 
-/// The default ramp up to 300 nodes. Half of all sheets are within 1e-4 radii of the equilibrium 80 evaluations after its
-/// end, so that it is most of the cost; once tangled sheets are folded again, as many end tangled or higher as with 1000.
-const RAMP: f64 = 400.0;
-/// The same for a second attempt, which may take its time; the third is a jump, which goes another way altogether.
-const SECOND_RAMP: f64 = 3000.0;
-/// A second attempt's ramp is longer than the first one's by this at least.
+/// The default ramp of a soft sheet of 300 nodes: with half of it more creases fold to the wrong side.
+const SOFT_RAMP: f64 = 800.0;
+/// The ramp of a sheet as stiff as its material up to 300 nodes, and the shortest of a soft one. Half of all sheets are within
+/// 1e-4 radii of the equilibrium 80 evaluations after its end, so that it is most of the cost.
+const STIFF_RAMP: f64 = 400.0;
+/// The same for an attempt that may take its time.
+const LONG_RAMP: f64 = 3000.0;
+/// A longer ramp is longer than the one before by this at least.
 const LONGER_RAMP: u32 = 3;
+/// Ramps for which an attempt goes on at the final targets with a crease lost: those that come back do so within 1.1.
+const LOST_RAMPS: u64 = 2;
 /// Ramps for which an attempt goes on at the final targets with a triangle crushed: one may open again.
 const CRUSHED_RAMPS: u64 = 10;
 /// The shortest ramp that is taken by itself.
@@ -31,10 +37,11 @@ const SHORTEST_RAMP: u32 = 100;
 
 /// FIRE on row-sum masses while the target angles rise continuously; the default solver.
 ///
-/// A state that ends tangled is folded once more over a longer ramp, then in a jump, and the one of lowest energy is
-/// kept. So is one with a triangle crushed to a line, or out of bounds: once without the perturbation, then in a jump; one
-/// without a crushed triangle is kept before one with, whatever their energies. Nothing promises that it is the only
-/// equilibrium: folding is path dependent.
+/// On the way the sheet is softer than its material ([`Relax::softening`]). A state with creases that went astray
+/// ([`State::lost_creases`]) is folded once more as stiff as it is, then softly over a longer ramp, and the one of lowest
+/// energy is kept. So is one with a triangle crushed to a line, or out of bounds: once without the perturbation, then in a
+/// jump; one without a crushed triangle is kept before one with, whatever their energies. Nothing promises that it is the
+/// only equilibrium: folding is path dependent.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Relax {
@@ -48,7 +55,7 @@ pub struct Relax {
     pub max_steps: u64,
     /// Run exactly so many evaluations instead, in one attempt. Default: until it has converged.
     pub steps: Option<u64>,
-    /// Whether a state that is tangled, has a triangle crushed or left all bounds is folded again in other ways. Default
+    /// Whether a state that has lost a crease, has a triangle crushed or left all bounds is folded again in other ways. Default
     /// true.
     pub retry: bool,
     /// How far each node is moved at the start, as a share of its shortest beam, so that a symmetric sheet does not stay
@@ -56,6 +63,13 @@ pub struct Relax {
     /// sooner; 0: none. Default 1e-2: with 3e-3 one sheet in a hundred is said to have settled on a saddle, with 3e-2 more
     /// end higher.
     pub perturbation: f64,
+    /// How much may go into the search for a way down once the sheet has settled: products with the Hessian as a share of
+    /// the evaluations so far. Larger: flatter saddles are found; 0: none is sought. GPUs seek none. Default 0.1.
+    pub saddle_search: f64,
+    /// How much softer than its material the sheet of a pattern that is folded flat is while the target angles rise from rest.
+    /// A jump and a way that begins elsewhere are not softened, nor is a sheet under loads or forces of one's own. `None`: as stiff as its material all
+    /// the way. Default: [`Softening::default`].
+    pub softening: Option<Softening>,
     /// The numbers in which the processor computes: [`Precision::Mixed`] for speed, where a tolerance of 1e-6 or more will
     /// do. GPUs have numbers of their own. Default f64.
     pub precision: Precision,
@@ -73,40 +87,67 @@ impl Default for Relax {
             steps: None,
             retry: true,
             perturbation: 1e-2,
+            saddle_search: 0.1,
+            softening: Some(Softening::default()),
             precision: Precision::F64,
             threads: None,
         }
     }
 }
 
-/// The default ramp of a model: 400 evaluations up to 300 nodes, then growing with the square root of the size, since
-/// a wave needs that many to cross the sheet.
+/// The default ramp of a model from rest: 400 evaluations up to 300 nodes, then growing with the square root of the size, since
+/// a wave needs that many to cross the sheet. Of patterns that are folded flat, whose sheets are soft on the way, twice as
+/// many where that is more than 400.
 #[must_use]
 pub fn default_ramp(model: &Model) -> u32 {
-    grown(RAMP, model)
+    let stiff = grown(STIFF_RAMP, model, 1.0);
+    if folds_flat(model) { grown(SOFT_RAMP, model, 0.0).max(stiff) } else { stiff }
 }
 
-/// The length of a ramp that is `length` up to 300 nodes.
-fn grown(length: f64, model: &Model) -> u32 {
+/// Whether most of the creases that fold at all are folded flat at 100 %.
+fn folds_flat(model: &Model) -> bool {
+    let folds = || model.creases.iter().map(|crease| crease.full_target).filter(|target| *target != 0.0);
+    2 * folds().filter(|target| is_flat(*target)).count() > folds().count()
+}
+
+/// A ramp that is `length` for 300 nodes, of sheets that have so many or `least` of them at least.
+fn grown(length: f64, model: &Model, least: f64) -> u32 {
     let share = model.node_count() as f64 / 300.0;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 3000 * sqrt(2^32 / 300)")]
-    let ramp = (length * share.max(1.0).sqrt()) as u32;
+    let ramp = (length * share.max(least).sqrt()) as u32;
     ramp
 }
 
 /// The default ramp between two lists of targets: from those on the way, its share of the whole, but not so short that it is
 /// a jump.
 pub(super) fn ramp_between(model: &Model, from: impl Iterator<Item = f64> + Clone, to: &[f64]) -> u32 {
-    let whole = default_ramp(model);
-    if model.creases.iter().zip(from.clone()).all(|(crease, target)| crease.rest_angle == target) {
-        return whole;
+    if is_rest(model, from.clone()) {
+        return default_ramp(model);
     }
+    let whole = grown(STIFF_RAMP, model, 1.0);
     let steps = to.iter().zip(from).map(|(to, from)| (to - from).abs());
     let full_targets = model.creases.iter().map(|c| c.full_target.abs());
     let share = steps.fold(0.0, f64::max) / full_targets.fold(0.0, f64::max);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a u32, saturating")]
     let part = (share * f64::from(whole)) as u32;
     part.clamp(SHORTEST_RAMP.min(whole), whole)
+}
+
+/// How soft a sheet is on its way from these targets to those of a scene. A load that the sheet bears may tear a soft one, and
+/// where creases shall not lie flat soft beams lead to higher states as often as to lower ones.
+pub(super) fn softening_between(
+    softening: Option<Softening>,
+    (model, scene): (&Model, &Scene),
+    from: impl Iterator<Item = f64>,
+) -> Option<Softening> {
+    softening.filter(|_| {
+        scene.has_springs_only() && model.stiffest_crease > 0.0 && folds_flat(model) && is_rest(model, from)
+    })
+}
+
+/// Whether these targets are the angles at rest.
+fn is_rest(model: &Model, targets: impl Iterator<Item = f64>) -> bool {
+    model.creases.iter().zip(targets).all(|(crease, target)| crease.rest_angle == target)
 }
 
 impl Solver for Relax {
@@ -120,8 +161,8 @@ impl Solver for Relax {
         self.check(model, scene).map_err(|refusal| Failed::refused(refusal, start))?;
         let run = Run { relax: self, model, start, scene };
         share(count(model, self.threads), observe, |threads, observe| match self.precision {
-            Precision::F64 => run.attempts::<f64>(threads, observe),
-            Precision::Mixed => run.attempts::<f32>(threads, observe),
+            Precision::F64 => run.to_a_minimum::<f64>(threads, observe),
+            Precision::Mixed => run.to_a_minimum::<f32>(threads, observe),
         })
     }
 
@@ -192,45 +233,54 @@ impl Relax {
     /// The first of up to three ways to a state.
     #[doc(hidden)]
     #[must_use]
-    pub fn first_attempt(&self, model: &Model, start: &State, targets: &[f64]) -> Attempt {
-        let ramp = self.ramp.unwrap_or_else(|| ramp_between(model, start.targets.iter().copied(), targets));
-        Attempt { number: 1, ramp, limit: self.steps.unwrap_or(self.max_steps), perturbed: true }
+    pub fn first_attempt(&self, (model, scene): (&Model, &Scene), start: &State, targets: &[f64]) -> Attempt {
+        let from = start.targets.iter().copied();
+        let softening = softening_between(self.softening, (model, scene), from.clone());
+        let ramp = self.ramp.unwrap_or_else(|| ramp_between(model, from, targets));
+        Attempt { number: 1, ramp, limit: self.steps.unwrap_or(self.max_steps), perturbed: true, softening }
     }
 
-    /// The way to be tried after `last`, where the best state so far, `kept`, is tangled: a longer ramp, then a jump. Where it
-    /// has a triangle crushed or there is none, since the sheet left all bounds: without the perturbation, then a jump.
+    /// The way to be tried after `last`, where the best state so far, `kept`, has lost creases: without softening, then softly
+    /// over a longer ramp; of a sheet that is not softened a longer ramp, then a jump. Where it has a triangle crushed or there
+    /// is none, since the sheet left all bounds: without the perturbation, then a jump.
     #[doc(hidden)]
     #[must_use]
     pub fn next_attempt(
         &self,
-        model: &Model,
+        (model, scene): (&Model, &Scene),
         start: &State,
         last: Attempt,
         kept: &Result<Folded, Failed>,
     ) -> Option<Attempt> {
         let limit = self.steps.unwrap_or(self.max_steps).saturating_sub(steps_of(kept));
-        if !self.retries() || limit == 0 {
+        if !self.retries() || limit == 0 || last.number > 2 {
             return None;
         }
-        let tangled = match kept {
+        let lost = match kept {
             Ok(kept) if kept.stop == Stop::Cancelled => return None,
-            Ok(kept) if kept.state.tangled_creases() > 0 => true,
+            Ok(kept) if kept.state.lost_creases() > 0 => true,
             Ok(kept) if is_crushed(model, &kept.state.positions) => false,
             Err(Failed::Diverged(_)) => false,
             _ => return None,
         };
-        let began_so = if tangled { start.tangled_creases() > 0 } else { is_crushed(model, &start.positions) };
+        let began_so = if lost { start.lost_creases() > 0 } else { is_crushed(model, &start.positions) };
         if began_so {
             return None;
         }
-        let longer = last.ramp.saturating_mul(LONGER_RAMP).max(grown(SECOND_RAMP, model));
-        let (ramp, perturbed) = match last.number {
-            1 if tangled || self.perturbation == 0.0 => (longer, true),
-            1 => (last.ramp, false),
-            2 => (0, true),
-            _ => return None,
-        };
-        Some(Attempt { number: last.number + 1, ramp, limit, perturbed })
+        let softening = softening_between(self.softening, (model, scene), start.targets.iter().copied());
+        let softened = softening.is_some() && last.ramp > 0;
+        let longer = || last.ramp.saturating_mul(LONGER_RAMP).max(grown(LONG_RAMP, model, 1.0));
+        let next = Attempt { number: last.number + 1, limit, ..last };
+        Some(match last.number {
+            1 if lost && softened => {
+                let ramp = last.ramp.min(grown(STIFF_RAMP, model, 1.0));
+                Attempt { ramp, softening: None, ..next }
+            }
+            2 if lost && last.perturbed && softened => Attempt { ramp: longer(), softening, ..next },
+            1 if lost || self.perturbation == 0.0 => Attempt { ramp: longer(), ..next },
+            1 => Attempt { perturbed: false, ..next },
+            _ => Attempt { ramp: 0, perturbed: true, ..next },
+        })
     }
 
     /// Where an attempt begins: at rest, and off every symmetry where there is something to be folded.
@@ -260,12 +310,15 @@ impl Relax {
         &self,
         (model, start): (&Model, &State),
         positions: Vec<DVec3>,
-        (scene, targets, ramp): (&Scene, Vec<f64>, u32),
+        (scene, targets, ramp, softening): (&Scene, Vec<f64>, u32, Option<Softening>),
         threads: usize,
     ) -> Stepper<R> {
         let ramp = Ramp::new(&start.targets, targets, ramp);
+        let softening = softening.filter(|_| !ramp.done());
         let mover = Mover::Relax(Minimiser::new(model));
-        Stepper::new((model, start), scene, (positions, &[]), (mover, ramp), self.tolerance, threads)
+        let mut stepper = Stepper::new((model, start), scene, (positions, &[]), (mover, ramp), self.tolerance, threads);
+        stepper.soften(model, softening);
+        stepper
     }
 }
 
@@ -283,15 +336,32 @@ impl Run<'_> {
         self.scene.targets.of(self.model).map_err(|refusal| Failed::refused(refusal, self.start))
     }
 
+    /// Settles, and leaves the saddles that it settles on.
+    fn to_a_minimum<R: Compute>(
+        &self,
+        threads: usize,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Folded, Failed> {
+        let Self { relax, model, scene, .. } = *self;
+        let folded = self.attempts::<R>(threads, observe)?;
+        let share = if relax.steps.is_some() { 0.0 } else { relax.saddle_search };
+        let again = &mut |off: &State, limit, so_far| {
+            let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
+            let attempt = Attempt { number: 1, ramp: 0, limit, perturbed: false, softening: None };
+            Run { start: off, ..*self }.attempt::<R>(attempt, threads, &mut observe)
+        };
+        Ok(leave((model, scene), folded, (share, relax.max_steps), again))
+    }
+
     fn attempts<R: Compute>(
         &self,
         threads: usize,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
         let Self { relax, model, start, scene } = *self;
-        let mut attempt = relax.first_attempt(model, start, &self.targets()?);
+        let mut attempt = relax.first_attempt((model, scene), start, &self.targets()?);
         let mut kept = self.attempt::<R>(attempt, threads, observe);
-        while let Some(next) = relax.next_attempt(model, start, attempt, &kept) {
+        while let Some(next) = relax.next_attempt((model, scene), start, attempt, &kept) {
             attempt = next;
             let so_far = steps_of(&kept);
             let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
@@ -302,7 +372,34 @@ impl Run<'_> {
                 return kept.map(|kept| Folded { stop: Stop::Cancelled, ..kept });
             }
         }
-        if relax.retries() { or_crushed((model, scene), kept, attempt.number) } else { kept }
+        let kept = match kept {
+            Ok(kept) if kept.stop == Stop::StepLimit && relax.retries() => self.settle::<R>(kept, threads, observe)?,
+            kept => return if relax.retries() { or_crushed((model, scene), kept, attempt.number) } else { kept },
+        };
+        Ok(kept)
+    }
+
+    /// Goes on with a state that an attempt gave up, since none found a better one, for the evaluations that are left.
+    fn settle<R: Compute>(
+        &self,
+        kept: Folded,
+        threads: usize,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Folded, Failed> {
+        let Self { relax, model, scene, .. } = *self;
+        let limit = relax.max_steps.saturating_sub(kept.steps);
+        if limit == 0 {
+            return Ok(kept);
+        }
+        let Folded { state, steps, attempts, .. } = kept;
+        let way = (scene, state.targets.clone(), 0, None);
+        let mut stepper = relax.stepper::<R>((model, &state), state.positions.clone(), way, threads);
+        let crushed = Some(CRUSHED_RAMPS * u64::from(default_ramp(model)));
+        let mut observe = |progress: Progress| observe(Progress { step: steps + progress.step, ..progress });
+        let limit = Limit { steps: limit, all: false, crushed, lost: None };
+        let stop = stepper.run((model, &state), limit, &mut observe)?;
+        let settled = stepper.into_folded(model, scene, scene.targets.clone(), stop);
+        Ok(Folded { steps: steps + settled.steps, attempts, ..settled })
     }
 
     fn attempt<R: Compute>(
@@ -314,9 +411,12 @@ impl Run<'_> {
         let Self { relax, model, start, scene } = *self;
         let targets = self.targets()?;
         let positions = relax.of_attempt(attempt).first_positions(model, start, scene, &targets);
-        let mut stepper = relax.stepper::<R>((model, start), positions, (scene, targets, attempt.ramp), threads);
-        let crushed = relax.steps.is_none().then(|| CRUSHED_RAMPS * u64::from(default_ramp(model)));
-        let limit = Limit { steps: attempt.limit, all: relax.steps.is_some(), crushed };
+        let mut stepper =
+            relax.stepper::<R>((model, start), positions, (scene, targets, attempt.ramp, attempt.softening), threads);
+        let ramps = |count: u64| count * u64::from(default_ramp(model));
+        let crushed = relax.steps.is_none().then(|| ramps(CRUSHED_RAMPS));
+        let lost = relax.retries().then(|| ramps(LOST_RAMPS));
+        let limit = Limit { steps: attempt.limit, all: relax.steps.is_some(), crushed, lost };
         let stop = stepper.run((model, start), limit, observe)?;
         Ok(stepper.into_folded(model, scene, scene.targets.clone(), stop))
     }

@@ -8,10 +8,11 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use crate::forces::areas::acting;
 use crate::forces::corner_angles::Triangle;
 use crate::forces::creases::hinge;
-use crate::ids::NodeId;
-use crate::model::{CornerAngles, Crease, Model};
+use crate::ids::{CreaseId, NodeId};
+use crate::model::{CornerAngles, Crease, Model, Softening};
 use crate::parallel;
 use crate::scene::Force;
 
@@ -20,52 +21,66 @@ const BLOCK: usize = 4096;
 
 /// Writes `K_i` of every node at `positions`; all above 0, as every node has a beam.
 pub fn row_sums(model: &Model, positions: &[DVec3], sums: &mut [f64]) {
-    shared_row_sums(false, model, positions, sums);
+    shared_row_sums(false, (model, &OnTheWay::default()), positions, sums);
 }
 
-/// The same with what forces of one's own add. A force that has no bound has been refused.
+/// How a sheet is softened at present.
+#[derive(Clone, Debug, Default)]
+pub(super) struct OnTheWay {
+    pub(super) softening: Option<Softening>,
+    /// The creases that are folded to the other side than their targets.
+    pub(super) wrong: Vec<CreaseId>,
+}
+
+/// The same of a sheet that is softened, with what forces of one's own add. A force that has no bound has been refused.
 pub(super) fn all_row_sums(
     shared: bool,
-    (model, own): (&Model, &[Arc<dyn Force>]),
+    (model, way, own): (&Model, &OnTheWay, &[Arc<dyn Force>]),
     positions: &[DVec3],
     sums: &mut [f64],
 ) {
-    shared_row_sums(shared, model, positions, sums);
+    shared_row_sums(shared, (model, way), positions, sums);
     own.iter().for_each(|own| {
         own.add_row_sums(positions, sums);
     });
 }
 
 /// [`row_sums`], `shared` out among the threads of this thread's pool or not: equal bits.
-fn shared_row_sums(shared: bool, model: &Model, positions: &[DVec3], sums: &mut [f64]) {
+fn shared_row_sums(shared: bool, (model, way): (&Model, &OnTheWay), positions: &[DVec3], sums: &mut [f64]) {
     sums.fill(0.0);
     for beam in &model.beams {
+        let stiffness = way.softening.map_or(beam.stiffness, |soft| soft.of_beam(model, beam));
         for n in beam.nodes {
-            sums[n.index()] += 2.0 * beam.stiffness;
+            sums[n.index()] += 2.0 * stiffness;
         }
     }
-    add_springs(shared, model, positions, sums);
+    add_springs(shared, (model, way), positions, sums);
 }
 
 /// `K_i` of every node at rest as if its beams did not resist, and that of its beams where it has nothing else.
 #[must_use]
 pub fn soft_sums(model: &Model) -> Vec<f64> {
     let mut sums = vec![0.0; model.node_count()];
-    add_springs(false, model, &model.rest, &mut sums);
+    add_springs(false, (model, &OnTheWay::default()), &model.rest, &mut sums);
     let mut with_beams = vec![0.0; model.node_count()];
     row_sums(model, &model.rest, &mut with_beams);
     sums.iter().zip(with_beams).map(|(soft, all)| if *soft > 0.0 { *soft } else { all }).collect()
 }
 
-/// Adds what creases and corner angles have.
-fn add_springs(shared: bool, model: &Model, positions: &[DVec3], sums: &mut [f64]) {
+/// Adds what creases, corner angles and areas have.
+fn add_springs(shared: bool, (model, way): (&Model, &OnTheWay), positions: &[DVec3], sums: &mut [f64]) {
     let at = |nodes: [NodeId; 4]| nodes.map(|n| positions[n.index()]);
     let of_crease = |crease: &Crease| {
         let gradient = hinge(at(crease.nodes))?.gradient.map(DVec3::length);
         Some(shares(gradient).map(|share| crease.stiffness * share))
     };
     add(shared, &model.creases, |crease| crease.nodes, of_crease, sums);
-    let k_face = model.material.k_face;
+    let (wrong_side, corner_angles) = way.softening.map_or((0.0, 1.0), |soft| (soft.wrong_side, soft.corner_angles));
+    for crease in way.wrong.iter().map(|wrong| &model.creases[wrong.index()]) {
+        let more = of_crease(crease).map(|shares| shares.map(|share| wrong_side * share));
+        add_one(crease.nodes, more, sums);
+    }
+    let k_face = corner_angles * model.material.k_face;
     let of_triangle = |corners: &CornerAngles| {
         let triangle = Triangle::new(corners.nodes.map(|n| positions[n.index()]));
         if triangle.collapsed() {
@@ -84,6 +99,11 @@ fn add_springs(shared: bool, model: &Model, positions: &[DVec3], sums: &mut [f64
         Some(sums)
     };
     add(shared, &model.corner_angles, |corners| corners.nodes, of_triangle, sums);
+    for (_, nodes, triangle, area) in acting(model, positions) {
+        let curvature = area.curvature(triangle.doubled_area());
+        let gradient = triangle.area_gradient().map(DVec3::length);
+        add_one(nodes, Some(shares(gradient).map(|share| curvature * share)), sums);
+    }
 }
 
 /// `|J_i| sum_j |J_j|`.

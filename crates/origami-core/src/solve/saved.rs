@@ -7,7 +7,7 @@ use super::ramp::Ramp;
 use super::settle::Settling;
 use super::stepper::{Mover, Stepper};
 use crate::kernel::Compute;
-use crate::model::Model;
+use crate::model::{Model, Softening};
 use crate::scene::{Held, Load, Refusal, Targets};
 
 /// All that moves in a simulation, and what its method remembers. With the feature `serde` it can be written and read.
@@ -26,6 +26,7 @@ pub struct Saved {
     held: Held,
     loads: Vec<Load>,
     perturbation: f64,
+    softening: Option<Softening>,
     asked: Targets,
 }
 
@@ -36,7 +37,7 @@ impl Saved {
         if verlet {
             stepper.kernel.read_accelerations(&mut stepper.accelerations);
         }
-        let Stepper { surroundings, ramp, mover, settling, state, accelerations, turned, steps, .. } = stepper;
+        let Stepper { kernel, surroundings, ramp, mover, settling, state, accelerations, turned, steps, .. } = stepper;
         Self {
             state: state.clone(),
             accelerations: if verlet { accelerations.clone() } else { Vec::new() },
@@ -48,6 +49,7 @@ impl Saved {
             held: surroundings.held().clone(),
             loads: surroundings.loads().to_vec(),
             perturbation,
+            softening: kernel.softening(),
             asked: Targets::at_rest(),
         }
     }
@@ -96,6 +98,7 @@ impl Saved {
         kernel.set_angles(&self.state.fold_angles);
         kernel.set_accelerations(&self.accelerations);
         kernel.set_targets(self.ramp.targets());
+        kernel.soften(model, self.softening);
         (stepper.ramp, stepper.mover) = (self.ramp.clone(), self.mover.clone());
         (stepper.settling, stepper.turned, stepper.steps) = (self.settling.clone(), self.turned, self.steps);
         stepper.state.clone_from(&self.state);

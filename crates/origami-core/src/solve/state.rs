@@ -1,11 +1,32 @@
 //! The state of a sheet in motion.
 
+use std::f64::consts::PI;
+
 use glam::DVec3;
 
+use super::TANGLED_DEGREES;
 use super::perturb::perturb;
 use crate::forces::{Energy, Forces, creases};
 use crate::model::Model;
 use crate::scene::{Held, Scene};
+
+/// Targets from here on ask a crease to lie flat, in degrees.
+const FLAT_DEGREES: f64 = 170.0;
+
+/// Whether a crease is asked to lie flat.
+pub(super) fn is_flat(target: f64) -> bool {
+    target.abs() >= FLAT_DEGREES.to_radians()
+}
+
+/// [`State::lost_creases`] of angles and targets by crease.
+pub(super) fn lost_creases(angles: &[f64], targets: &[f64]) -> usize {
+    let past = (TANGLED_DEGREES - 180.0).to_radians();
+    let lost = |(angle, target): &(&f64, &f64)| {
+        let flat = is_flat(**target) && angle.abs() > target.abs().max(PI) + past;
+        flat || (*angle - *target).abs() > PI
+    };
+    angles.iter().zip(targets).filter(lost).count()
+}
 
 /// Everything that a solver carries from step to step. Fold angles are a part of it: positions alone do not tell how
 /// often a crease has turned.
@@ -94,10 +115,17 @@ impl State {
         forces.iter().map(|force| -*force).collect()
     }
 
+    /// How many creases went astray: more than half a turn from their targets, or 20 degrees past theirs where they are
+    /// asked to lie flat. Below that a crease past [`super::TANGLED_DEGREES`] is no sign of a better state elsewhere.
+    #[must_use]
+    pub fn lost_creases(&self) -> usize {
+        lost_creases(&self.fold_angles, &self.targets)
+    }
+
     /// How many creases are folded past [`super::TANGLED_DEGREES`].
     #[must_use]
     pub fn tangled_creases(&self) -> usize {
-        let limit = super::TANGLED_DEGREES.to_radians();
+        let limit = TANGLED_DEGREES.to_radians();
         self.fold_angles.iter().filter(|angle| angle.abs() > limit).count()
     }
 }

@@ -12,11 +12,12 @@ use super::guard::{Diverged, Guard};
 use super::largest::largest;
 use super::ramp::Ramp;
 use super::settle::Settling;
+use super::state::lost_creases;
 use super::surroundings::Surroundings;
 use super::{Folded, Integrator, Progress, REPORT, State, Stop};
 use crate::forces::{Forces, damping};
 use crate::kernel::{Bounds, Compute, Kernel};
-use crate::model::Model;
+use crate::model::{Model, Softening};
 use crate::scene::{Held, Scene, Targets};
 use crate::twins::checkpoint::COPY_EVERY;
 use crate::twins::fire_update::HOLD;
@@ -64,6 +65,8 @@ pub(super) struct Limit {
     /// By how many more evaluations at the final targets, with a triangle crushed than without, it gives up; `None`: it does
     /// not.
     pub(super) crushed: Option<u64>,
+    /// For how many evaluations at the final targets it goes on with a crease lost; `None`: as long as it takes.
+    pub(super) lost: Option<u64>,
 }
 
 impl<R: Compute> Stepper<R> {
@@ -106,7 +109,7 @@ impl<R: Compute> Stepper<R> {
         limit: Limit,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Stop, Diverged> {
-        let mut crushed_for = 0_u64;
+        let (mut crushed_for, mut lost_for) = (0_u64, 0);
         loop {
             if self.steps >= limit.steps {
                 return Ok(if limit.all { Stop::StepsDone } else { Stop::StepLimit });
@@ -115,12 +118,22 @@ impl<R: Compute> Stepper<R> {
                 return Ok(Stop::Converged);
             }
             // Where the state has just been read.
-            if let Some(patience) = limit.crushed.filter(|_| self.steps.is_multiple_of(COPY_EVERY)) {
-                // It swings about the line, and is thicker than that now and then.
-                let crushed = self.ramp.done() && is_crushed(origin.0, &self.state.positions);
-                crushed_for = if crushed { crushed_for + COPY_EVERY } else { crushed_for.saturating_sub(COPY_EVERY) };
-                if crushed_for >= patience {
-                    return Ok(Stop::Crushed);
+            if self.ramp.done() && self.steps.is_multiple_of(COPY_EVERY) {
+                if let Some(patience) = limit.crushed {
+                    // It swings about the line, and is thicker than that now and then.
+                    let crushed = is_crushed(origin.0, &self.state.positions);
+                    crushed_for =
+                        if crushed { crushed_for + COPY_EVERY } else { crushed_for.saturating_sub(COPY_EVERY) };
+                    if crushed_for >= patience {
+                        return Ok(Stop::Crushed);
+                    }
+                }
+                if let Some(patience) = limit.lost {
+                    let lost = lost_creases(&self.state.fold_angles, self.ramp.asked()) > 0;
+                    lost_for = if lost { lost_for + COPY_EVERY } else { 0 };
+                    if lost_for >= patience {
+                        return Ok(Stop::StepLimit);
+                    }
                 }
             }
             if self.steps.is_multiple_of(REPORT) && observe(self.progress()).is_break() {
@@ -139,10 +152,24 @@ impl<R: Compute> Stepper<R> {
         if !self.ramp.done() && self.turned <= HOLD {
             self.ramp.advance();
             self.kernel.set_targets(self.ramp.targets());
+            if self.ramp.done() {
+                self.soften(origin.0, None);
+            }
         }
         match self.mover {
             Mover::Relax(_) => self.relax(origin, stops),
             Mover::Dynamics { .. } => self.advance_in_time(origin, stops),
+        }
+    }
+
+    /// Makes the sheet so soft from now on, or as stiff as its material; its motion goes on.
+    pub(super) fn soften(&mut self, model: &Model, softening: Option<Softening>) {
+        if softening == self.kernel.softening() {
+            return;
+        }
+        self.kernel.soften(model, softening);
+        if let Mover::Relax(minimiser) = &mut self.mover {
+            minimiser.renew();
         }
     }
 
@@ -229,11 +256,19 @@ impl<R: Compute> Stepper<R> {
         self.kernel.read_angles(&mut self.state.fold_angles);
     }
 
-    /// Asks for other angles, over a ramp of so many evaluations, from where the targets are now.
-    pub(super) fn set_targets(&mut self, targets: Vec<f64>, length: u32) {
+    /// Asks for other angles, over a ramp of so many evaluations, from where the targets are now. The sheet is so soft on the
+    /// way, or as soft as it is where it has not arrived yet.
+    pub(super) fn set_targets(
+        &mut self,
+        (model, softening): (&Model, Option<Softening>),
+        targets: Vec<f64>,
+        length: u32,
+    ) {
+        let softening = softening.or(self.kernel.softening());
         let now: Vec<f64> = self.ramp.targets().collect();
         self.ramp = Ramp::new(&now, targets, length);
         self.kernel.set_targets(self.ramp.targets());
+        self.soften(model, softening.filter(|_| !self.ramp.done()));
         self.settling.disturb();
     }
 
@@ -272,7 +307,7 @@ impl<R: Compute> Stepper<R> {
             arrive(model, &held, &mut state, (&accelerations, values), half_a_step);
         }
         let reactions = forces.reactions().to_vec();
-        Folded { state, targets, stop, steps, time_step, residual, distance, attempts: 1, reactions }
+        Folded { state, targets, stop, steps, time_step, residual, distance, attempts: 1, saddles: 0, reactions }
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::Integrator;
-use super::row_sums::all_row_sums;
+use super::row_sums::{OnTheWay, all_row_sums};
 use crate::forces::damping;
 use crate::model::Model;
 use crate::scene::Force;
@@ -58,7 +58,7 @@ impl Safe {
 
     /// With the forces of one's own that act on `model`. Found by all threads of this thread's pool where it is `shared`.
     pub(super) fn step(&mut self, shared: bool, (model, own): (&Model, &[Arc<dyn Force>]), positions: &[DVec3]) -> f64 {
-        all_row_sums(shared, (model, own), positions, &mut self.sums);
+        all_row_sums(shared, (model, &OnTheWay::default(), own), positions, &mut self.sums);
         longest(self.sums.iter().fold(0.0, |a: f64, b| a.max(*b)), self.damping)
     }
 }

@@ -97,7 +97,18 @@ impl Solver for PaperDynamics {
             .fold(0.0, f64::max);
         let reactions = forces.reactions().to_vec();
         let (targets, steps, distance) = (scene.targets.clone(), read.step, f64::INFINITY);
-        Ok(Folded { state, targets, stop, steps, time_step: dt, residual, distance, attempts: 1, reactions })
+        Ok(Folded {
+            state,
+            targets,
+            stop,
+            steps,
+            time_step: dt,
+            residual,
+            distance,
+            attempts: 1,
+            saddles: 0,
+            reactions,
+        })
     }
 
     fn inventory(&self, model: &Model) -> Inventory {

@@ -100,7 +100,7 @@ fn hinges(kind: Kind) -> Case {
     }
     pattern.alias_of = vec![None; pattern.vertices.len()];
     (pattern.vertices_in_file, pattern.edges_in_file) = (pattern.vertices.len(), pattern.edges.len());
-    let model = Model::new(&pattern, &Material::default()).expect("proper triangles");
+    let model = Model::new(&pattern, &Material::paper()).expect("proper triangles");
     let positions = now.iter().map(|p| model.normalisation.to_model(*p)).collect();
     assert_eq!(model.creases.len(), angles.len(), "no hinge is too thin");
     Case { name: kind.name, state: state(&model, positions, &angles, &mut random), model }
@@ -162,7 +162,7 @@ pub(crate) fn patterns() -> Vec<(&'static str, Model)> {
 }
 
 fn model(pattern: CreasePattern) -> Model {
-    Model::new(&pattern, &Material::default()).expect("a model")
+    Model::new(&pattern, &Material::paper()).expect("a model")
 }
 
 /// A square grid with two slits that nearly part it.

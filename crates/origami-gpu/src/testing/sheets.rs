@@ -25,7 +25,7 @@ pub(crate) fn loose_beams() -> Model {
     let (corner, out) = (pattern.vertices[0], pattern.vertices.len() as u32);
     pattern.vertices.push(corner + DVec3::new(-0.7, -0.4, 0.3));
     pattern.edges.extend([edge(0, out, None), edge(1, out, Some(3.0)), edge(0, out - 1, None)]);
-    model(pattern, &Material::default())
+    model(pattern, &Material::paper())
 }
 
 /// Each node moved at random, with velocities.
@@ -46,7 +46,7 @@ pub(crate) fn special() -> Vec<Case> {
         let pattern = Miura { columns: 3, rows: 4, ..Miura::default() }.pattern().expect("a pattern");
         Model::new(&pattern, &material).expect("a model")
     };
-    let plain = Material::default();
+    let plain = Material::paper();
     vec![
         moved("loose beams", loose_beams()),
         moved("no damping", miura(Material { zeta: 0.0, ..plain })),
@@ -68,12 +68,12 @@ fn beam_pattern() -> CreasePattern {
 
 /// The rest length of the beam of [`beam`].
 pub(crate) fn beam_length() -> f64 {
-    model(beam_pattern(), &Material::default()).beams[BEAM].rest_length
+    model(beam_pattern(), &Material::paper()).beams[BEAM].rest_length
 }
 
 /// Two beams in a row, no face; the ends of the first at `from` and `to`, the second at its rest length.
 pub(crate) fn beam(from: DVec3, to: DVec3) -> Case {
-    let model = model(beam_pattern(), &Material::default());
+    let model = model(beam_pattern(), &Material::paper());
     let mut state = State::at_rest(&model);
     state.positions = vec![from, to, to + DVec3::Z * model.beams[1].rest_length];
     state.velocities = vec![DVec3::new(0.25, -0.5, 0.0), DVec3::new(-0.125, 0.0, 0.375), DVec3::ZERO];

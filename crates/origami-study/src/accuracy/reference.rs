@@ -3,7 +3,7 @@
 use origami_core::glam::DVec3;
 use origami_core::measure::align;
 use origami_core::scene::Scene;
-use origami_core::solve::unwatched;
+use origami_core::solve::{Reflect, unwatched};
 use origami_core::{Model, Newton, Relax, Solver, State};
 
 use super::cases::Case;
@@ -14,6 +14,8 @@ const SAME: f64 = 1e-5;
 const SAME_ENERGY: f64 = 1e-7;
 /// A run that ends farther than this many radii from every equilibrium has not arrived anywhere.
 const ARRIVED: f64 = 0.02;
+/// A sheet that misses itself by no more, in radii, is folded flat exactly.
+const EXACT: f64 = 1e-10;
 /// Factorisations after which the equilibrium of a run's own branch is given up.
 const PATIENCE: u32 = 300;
 
@@ -64,12 +66,28 @@ impl Branch {
     }
 }
 
-/// The equilibrium on the branch that the case's own ramp leads to. `None` where Newton's method does not settle.
+/// The flat-folded state itself where the case asks for it, else the equilibrium on the branch that the case's own ramp leads
+/// to. `None` where Newton's method does not settle.
 pub(super) fn of(case: &Case) -> Option<Equilibrium> {
+    if let Some(flat) = flat(case) {
+        return Some(flat);
+    }
     let relax = Relax { ramp: Some(case.ramp), ..Relax::default() };
     let near =
         relax.fold(&case.model, &State::at_rest(&case.model), &Scene::percent(case.percent), &mut unwatched).ok()?;
     nearest(&case.model, &near.state, Newton::default().max_factorisations)
+}
+
+/// The state that the case folds flat to, where it is one to rounding.
+fn flat(case: &Case) -> Option<Equilibrium> {
+    let folded = Reflect { tolerance: EXACT }.fold_from_rest(&case.model, case.percent).ok()?;
+    let stability = Newton::stability(&case.model, &folded.state)?;
+    Some(Equilibrium {
+        energy: folded.state.energy(&case.model).total(),
+        residual: folded.residual,
+        neutral: stability.neutral.saturating_sub(6),
+        positions: folded.state.positions,
+    })
 }
 
 /// The equilibrium downhill from `state`.

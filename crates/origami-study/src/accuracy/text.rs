@@ -14,7 +14,8 @@ const PLOTTED: [(&str, f64); 3] = [("miura", 100.0), ("waterbomb", 60.0), ("cran
 pub(super) fn introduction(found: &Found, options: &Options) -> Vec<Part> {
     let mut parts = vec![text(
         "Errors are distances of vertices from the equilibrium itself, in radii of the sheet, after the best rigid motion. \
-         The equilibrium is what `newton` finds, to a residual of 1e-10 and better, from where `relax` ends. A run that ends \
+         The equilibrium is what `newton` finds, to a residual of 1e-10 and better, from where `relax` ends; of a sheet that is \
+         to fold flat it is the exact state, by reflecting its faces. A run that ends \
          in another equilibrium is measured against that one, and its row says so. Seconds are of solving alone; the least \
          of three for short runs, and never more than those of a longer run.",
     )];

@@ -166,6 +166,7 @@ pub(super) fn of_newton(case: &Case, from: From, deadline: Deadline) -> Trail {
                     residual: reached.residual,
                     distance: reached.distance,
                     attempts: 1,
+                    saddles: reached.escapes,
                     state: reached.state,
                     reactions: reached.reactions,
                 };

@@ -195,7 +195,7 @@ mod tests {
         (found / expected - 1.0).abs() < 0.01
     }
 
-    const NOTHING: Material = Material { ea: 1e-3, k_fold: 0.0, k_facet: 0.0, k_face: 0.0, zeta: 0.0 };
+    const NOTHING: Material = Material { ea: 1e-3, k_fold: 0.0, k_facet: 0.0, k_face: 0.0, zeta: 0.0, collapse: 0.0 };
 
     /// Of a beam of the triangle, whose box has its centre elsewhere than the triangle.
     fn stiffness(ea: f64) -> f64 {

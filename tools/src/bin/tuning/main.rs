@@ -116,7 +116,9 @@ fn outcome(model: &Model, percent: f64, seed: u64, (ramp, perturbation): Choice)
         _ => (State::perturbed(model, perturbation, seed), 0.0),
     };
     let length = (ramp * (model.node_count() as f64 / 300.0).max(1.0).sqrt()) as u32;
-    let relax = Relax { ramp: Some(length), perturbation, max_steps: 30_000, ..Relax::default() };
+    // As stiff as the material all the way: what softens flat sheets hides what a ramp does.
+    let stiff = Relax { softening: None, max_steps: 30_000, ..Relax::default() };
+    let relax = Relax { ramp: Some(length), perturbation, ..stiff };
     let fold = |relax: &Relax| -> Option<Folded> {
         relax.fold(model, &start, &origami::scene::Scene::percent(percent), &mut unwatched).ok()
     };

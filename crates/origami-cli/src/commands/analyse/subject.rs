@@ -8,7 +8,7 @@ use origami::export::{Pose, Template, write_whole};
 use origami::fold::Document;
 use origami::glam::DVec3;
 use origami::measure::edge_fold_angles;
-use origami::{CreasePattern, Error, Model};
+use origami::{CreasePattern, Error, Material, Model};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -49,7 +49,8 @@ impl Subject {
             None => document.pattern_frame().map_err(|error| in_input(&error))?,
         };
         let pattern = CreasePattern::from_document(&document, frame).map_err(|error| in_input(&error))?;
-        let model = Model::new(&pattern, &args.material.material()).map_err(|error| in_input(&error))?;
+        let model =
+            Model::new(&pattern, &args.material.material(Material::default())).map_err(|error| in_input(&error))?;
         let content = document.frame(frame).map_err(|error| in_input(&error))?;
         let in_job = |error: &Error| match &args.job {
             Some(path) => format!("{}: {error}", path.display()),

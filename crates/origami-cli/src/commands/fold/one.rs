@@ -282,6 +282,7 @@ fn overall(frames: &[Measured]) -> Measured {
         converged: limited.is_none(),
         stop: limited.map_or(last.stop, |frame| frame.stop),
         attempts: frames.iter().map(|frame| frame.attempts).max().unwrap_or(0),
+        saddles: frames.iter().map(|frame| frame.saddles).sum(),
         ..last
     }
 }

@@ -60,6 +60,9 @@ pub(super) fn line(run: &Run) -> String {
     if measured.attempts > 1 {
         line += &format!(", the best of {} attempts", measured.attempts);
     }
+    if measured.saddles > 0 {
+        line += &format!(", {} left on the way", count(measured.saddles as usize, "saddle", "saddles"));
+    }
     if let Some(adapter) = run.adapter.as_ref().filter(|adapter| adapter.is_software()) {
         line += &format!(", on {} (software)", adapter.name);
     }

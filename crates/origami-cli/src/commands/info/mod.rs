@@ -10,11 +10,12 @@ use crate::exit::{Exit, Failure};
 use crate::files::{Input, Reading};
 
 use facts::Facts;
+use origami::Material;
 
 /// Tells what is in a file.
 pub(super) fn run(args: &InfoArgs) -> Result<Exit, Failure> {
     let input = Input::new(&args.input, &Reading::new(&args.reading)?);
-    let facts = Facts::gather(&input, args.frame, &args.material.material());
+    let facts = Facts::gather(&input, args.frame, &args.material.material(Material::default()));
     if args.json {
         let mut text = serde_json::to_vec_pretty(&facts).map_err(|error| error.to_string())?;
         text.push(b'\n');

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use origami::study::{Options, StudyError, Watch, accuracy, stability};
+use origami::study::{Options, StudyError, Watch, accuracy, flat, stability};
 
 use super::{folder, patterns};
 use crate::args::{BackendName, StudyArgs, StudyBackend, StudyName, is_named};
@@ -32,6 +32,7 @@ pub(in crate::commands) fn run(args: &StudyArgs) -> Result<Exit, Failure> {
     let document = match args.study {
         StudyName::Accuracy => "accuracy.md",
         StudyName::Stability => "stability.md",
+        StudyName::Flat => "flat.md",
     };
     folder::make(&args.output, document)?;
     if !args.quiet && is_named(args.adapter.as_deref()) && args.backend == StudyBackend::Cpu {
@@ -44,6 +45,7 @@ pub(in crate::commands) fn run(args: &StudyArgs) -> Result<Exit, Failure> {
     let done = match args.study {
         StudyName::Accuracy => accuracy::study(&options, &mut follower),
         StudyName::Stability => stability::study(&options, &mut follower),
+        StudyName::Flat => flat::study(&options, &mut follower),
     };
     follower.line.finish();
     let paths = done.and_then(|study| study.write(&args.output)).map_err(failure)?;

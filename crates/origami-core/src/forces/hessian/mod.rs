@@ -3,12 +3,14 @@
 //!
 //! One kind of spring a file, as blocks of 3 by 3: `d2E / dp_i dp_j` for the nodes i and j of each spring.
 
+mod areas;
 pub mod beams;
 pub mod corner_angles;
 pub mod creases;
 
 use glam::{DMat3, DVec3};
 
+use crate::forces::areas::acting;
 use crate::model::Model;
 
 /// Hands `add(i, j, block)` the blocks of all springs at `positions`, where the creases have the angles `fold_angles` and
@@ -40,6 +42,11 @@ pub fn blocks(
         let nodes = corners.nodes.map(|n| n.index());
         let Some(second) = corner_angles::blocks(corners, nodes.map(|n| positions[n])) else { continue };
         add_pairs(&nodes, add, |i, j| second[i][j] * model.material.k_face);
+    }
+    for (_, nodes, triangle, area) in acting(model, positions) {
+        let nodes = nodes.map(|n| n.index());
+        let second = areas::blocks(&area, &triangle, nodes.map(|n| positions[n]));
+        add_pairs(&nodes, add, |i, j| second[i][j]);
     }
 }
 

@@ -249,9 +249,9 @@ portable! {
     difference(from, to, c, unit) = to[c].wrapping_sub(from[c]) as f32 * unit;
 }
 
-/// The nearest whole number, as all lanes round.
+/// The nearest whole number, as all lanes round: beside so large a number, the last bits of a sum are its.
 #[inline(always)]
-#[expect(clippy::cast_possible_truncation, reason = "less than 2^30, or of no sound sheet")]
+#[expect(clippy::cast_possible_truncation, reason = "the other bits are of the large number")]
 fn rounded(x: f64) -> i32 {
-    x.round_ties_even() as i32
+    (x + f64::ROUNDING).to_bits() as i32
 }

@@ -13,7 +13,7 @@ use super::{Bounds, Kernel};
 use crate::forces::{Forces, damping};
 use crate::generate::catalog;
 use crate::ids::VertexId;
-use crate::model::{Material, Model};
+use crate::model::{Material, Model, Softening};
 use crate::pattern::{Assignment, PatternEdge};
 use crate::scene::{Held, Scene};
 use crate::twins::fire_update::Decision;
@@ -193,6 +193,54 @@ fn triangles_that_collapse_pull_at_nothing_and_keep_their_angles() {
     for isa in Isa::all() {
         let (forces, angles) = scene.fast::<f64>(isa, false);
         assert_eq!((forces, angles), (vec![DVec3::ZERO; scene.positions.len()], scene.angles.clone()), "{isa:?}");
+    }
+}
+
+/// The model as soft as on the way, in all but what turns creases back.
+fn softened(model: &Model, softening: Softening) -> Model {
+    let mut soft = model.clone();
+    soft.beams.iter_mut().for_each(|beam| beam.stiffness = softening.of_beam(model, beam));
+    soft.material.k_face *= softening.corner_angles;
+    soft
+}
+
+#[test]
+fn a_softened_sheet_has_the_forces_of_a_softer_one() {
+    let softening = Softening::default();
+    let mut scene = Case::new(odd_sheet(), 2, 0.05);
+    scene.angles.fill(0.0);
+    let mut forces = Forces::new(&scene.model);
+    forces.evaluate(&scene.positions, &scene.targets, &mut scene.angles);
+    // A crease on the wrong side is pulled to flat besides.
+    let mut soft = softened(&scene.model, softening);
+    let mut targets = scene.targets.clone();
+    let mut wrong = 0;
+    for ((crease, target), angle) in soft.creases.iter_mut().zip(&mut targets).zip(&scene.angles) {
+        if *angle * *target < 0.0 {
+            wrong += 1;
+            *target /= 1.0 + softening.wrong_side;
+            crease.stiffness *= 1.0 + softening.wrong_side;
+        }
+    }
+    assert!(wrong > 5, "{wrong} creases on the wrong side");
+    let mut angles = scene.angles.clone();
+    let plain = Forces::new(&soft).evaluate(&scene.positions, &targets, &mut angles).to_vec();
+    assert!(difference(&plain, &scene.plain(false).0) > 0.1, "softer is something else");
+    for isa in Isa::all() {
+        let mut kernel = scene.kernel::<f64>(isa);
+        let fresh = scene.fast::<f64>(isa, false).0;
+        kernel.soften(&scene.model, Some(softening));
+        kernel.springs(false);
+        let forces: Vec<DVec3> = kernel.positions_and_forces().map(|[_, f]| f).collect();
+        assert!(difference(&plain, &forces) < 1e-10, "{isa:?}: {}", difference(&plain, &forces));
+        let mut found = Vec::new();
+        kernel.read_wrong_sides(&mut found);
+        assert_eq!(found.len(), wrong, "{isa:?}");
+        kernel.soften(&scene.model, None);
+        kernel.springs(false);
+        assert!(kernel.positions_and_forces().map(|[_, f]| f).eq(fresh), "{isa:?}: nothing of it is left");
+        kernel.read_wrong_sides(&mut found);
+        assert!(found.is_empty(), "{isa:?}");
     }
 }
 

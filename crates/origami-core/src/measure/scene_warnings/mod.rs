@@ -6,10 +6,12 @@ mod off_target;
 mod over_folding;
 mod single_precision;
 mod slivers;
+mod squeezed_triangles;
 mod strained_at_rest;
 
 pub use crushed_triangles::crushed;
 pub use single_precision::single_precision;
+pub use squeezed_triangles::squeezed;
 pub use strained_at_rest::strained_at_rest;
 
 use crate::error::Warning;
@@ -29,14 +31,17 @@ pub fn scene_warnings(model: &Model, percents: &[f64]) -> Vec<Warning> {
 
 /// Warnings about the state that a solver came to: a sheet strained at rest ([`strained_at_rest`]), creases that are far from
 /// their angles though nothing is strained ([`WarningCode::CreaseOffTarget`]) or end inside a face
-/// ([`WarningCode::OpenCrease`]), and triangles that were crushed to lines ([`WarningCode::CrushedTriangle`]).
+/// ([`WarningCode::OpenCrease`]), triangles that were crushed to lines ([`WarningCode::CrushedTriangle`]) and those that are
+/// kept from it ([`WarningCode::SqueezedTriangle`]).
 ///
 /// [`WarningCode::CreaseOffTarget`]: crate::error::WarningCode::CreaseOffTarget
 /// [`WarningCode::OpenCrease`]: crate::error::WarningCode::OpenCrease
 /// [`WarningCode::CrushedTriangle`]: crate::error::WarningCode::CrushedTriangle
+/// [`WarningCode::SqueezedTriangle`]: crate::error::WarningCode::SqueezedTriangle
 #[must_use]
 pub fn folded_warnings(pattern: &CreasePattern, model: &Model, folded: &Folded) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = crushed(model, &folded.state.positions).into_iter().collect();
+    warnings.extend(squeezed(model, &folded.state.positions));
     warnings.extend(strained_at_rest(model, folded));
     warnings.extend(off_target::off_target(pattern, model, folded));
     warnings

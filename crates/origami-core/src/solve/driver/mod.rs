@@ -128,6 +128,8 @@ pub struct Folded {
     /// Attempts made: 2 or 3 where the first ended tangled, with a triangle crushed or out of bounds, and the sheet was
     /// folded again in another way.
     pub attempts: u32,
+    /// Saddles that it had settled on and left: where forces vanish and the energy falls to both sides all the same.
+    pub saddles: u32,
     /// What the supports do to the held nodes, in the order of the nodes.
     pub reactions: Vec<Reaction>,
 }

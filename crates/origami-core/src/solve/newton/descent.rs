@@ -13,6 +13,7 @@ use crate::model::Model;
 use crate::scene::{Reaction, Scene};
 use crate::solve::State;
 use crate::solve::largest::largest;
+use crate::solve::saddle::{TRIALS, irregular, lowest_along};
 
 /// Shifts are shares of each node's row sum. The first one ...
 const FIRST: f64 = 1e-6;
@@ -285,7 +286,6 @@ impl<'m> Descent<'m> {
                 return false;
             }
         }
-        // Any direction will do that no symmetry forbids.
         let mut mode: Vec<DVec3> = (0..self.model.node_count()).map(|i| irregular(i as f64)).collect();
         for _ in 0..ROUNDS {
             let right = self.matrix.weigh(&mode);
@@ -296,22 +296,8 @@ impl<'m> Descent<'m> {
             }
             mode.iter_mut().zip(&self.step).for_each(|(m, s)| *m = *s / length);
         }
-        let shortest = self.model.beams.iter().map(|b| b.rest_length).fold(f64::INFINITY, f64::min);
-        let mut best: Option<(f64, State)> = None;
-        for k in 0..12 {
-            for side in [1.0, -1.0] {
-                let far = side * 1e-4 * shortest * f64::from(1 << k);
-                let mut trial = state.clone();
-                trial.positions.iter_mut().zip(&mode).for_each(|(p, m)| *p += *m * far);
-                let energy = self.measure(&mut trial).energy;
-                let turns = trial.fold_angles.iter().zip(&state.fold_angles).map(|(a, b)| (a - b).abs());
-                let lowest = best.as_ref().map_or(now.energy, |(lowest, _)| *lowest);
-                if energy < lowest && turns.fold(0.0, f64::max) <= LONGEST_TURN {
-                    best = Some((energy, trial));
-                }
-            }
-        }
-        let Some((_, trial)) = best else { return false };
+        self.evaluations += TRIALS;
+        let Some(trial) = lowest_along(self.model, &self.scene, state, &mode) else { return false };
         *state = trial;
         self.shift = shift;
         true
@@ -320,9 +306,4 @@ impl<'m> Descent<'m> {
 
 fn longest(moves: &[DVec3]) -> f64 {
     moves.iter().map(|m| m.length()).fold(0.0, f64::max)
-}
-
-/// A vector without a pattern: the fractions of multiples of irrational numbers.
-fn irregular(i: f64) -> DVec3 {
-    (DVec3::new(2.0_f64.sqrt(), 3.0_f64.sqrt(), 5.0_f64.sqrt()) * (i + 1.0)).fract() - 0.5
 }

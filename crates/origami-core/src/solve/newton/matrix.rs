@@ -10,7 +10,7 @@ use crate::forces::hessian;
 use crate::model::Model;
 use crate::scene::{Axes, Force, Held, Scene};
 use crate::solve::State;
-use crate::solve::row_sums::all_row_sums;
+use crate::solve::row_sums::{OnTheWay, all_row_sums};
 
 /// Which of the two triangles of a symmetric matrix is stored.
 pub(super) const STORED: Side = Side::Lower;
@@ -89,7 +89,7 @@ impl<'m> Matrix<'m> {
         for own in &self.own {
             own.add_hessian(&state.positions, &mut |i, j, block| enter(i.index(), j.index(), block));
         }
-        all_row_sums(false, (self.model, &self.own), &state.positions, &mut self.row_sums);
+        all_row_sums(false, (self.model, &OnTheWay::default(), &self.own), &state.positions, &mut self.row_sums);
         for (place, sum) in self.place.iter().zip(&self.row_sums) {
             if let Some(place) = place {
                 self.weights[*place] = *sum;

@@ -223,7 +223,7 @@ impl Newton {
     ) -> Result<Folded, Failed> {
         let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
         descent.begin(self.max_steps);
-        let (reached, steps, attempts) = match &self.relax {
+        let (reached, steps, attempts, left) = match &self.relax {
             Some(relax) => {
                 let relax = Relax { max_steps: relax.max_steps.min(self.max_steps), ..relax.clone() };
                 let near = relax.fold(model, start, scene, observe)?;
@@ -236,9 +236,9 @@ impl Newton {
                 }
                 descent.begin(self.max_steps - steps);
                 let mut observe = |step, distance| observe(Progress { step: steps + step, ramp: 1.0, distance });
-                (self.settle(descent, near.state, &mut observe), steps, near.attempts)
+                (self.settle(descent, near.state, &mut observe), steps, near.attempts, near.saddles)
             }
-            None => (self.rise(descent, model, start, targets, observe), 0, 1),
+            None => (self.rise(descent, model, start, targets, observe), 0, 1, 0),
         };
         let stop = match reached.converged {
             true => Stop::Converged,
@@ -254,6 +254,7 @@ impl Newton {
             residual: reached.residual,
             distance: reached.distance,
             attempts,
+            saddles: left + reached.escapes,
             reactions: reached.reactions,
         })
     }

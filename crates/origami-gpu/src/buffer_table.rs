@@ -82,10 +82,8 @@ fn found(kernels: impl IntoIterator<Item = (&'static str, &'static str, Checked)
     found
 }
 
-fn readme() -> String {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shaders/README.md");
-    std::fs::read_to_string(path).expect("it is there")
-}
+/// In the program, so that it runs on a machine that has not the source.
+const README: &str = include_str!("../../../shaders/README.md");
 
 fn assert_same(reported: &Table, there: &Table) {
     assert!(!there.is_empty());
@@ -112,7 +110,7 @@ fn the_pipeline_has_the_buffers_that_the_table_tells() {
     let there = found(
         plain.chain(rich).chain(blocks).map(|(k, variant)| (k.name, k.entry, checked(k.name, &k.source(&variant)))),
     );
-    let reported = table(&readme(), "The pipeline", &KERNELS.map(|k| k.name));
+    let reported = table(README, "The pipeline", &KERNELS.map(|k| k.name));
     assert_same(&reported, &there);
 }
 
@@ -120,7 +118,7 @@ fn the_pipeline_has_the_buffers_that_the_table_tells() {
 fn the_papers_passes_have_the_buffers_that_the_table_tells() {
     let variant = variants::plain();
     let there = found(PASSES.iter().map(|pass| (pass.name, pass.entry, checked(pass.name, &pass.source(&variant)))));
-    assert_same(&table(&readme(), "The paper's five passes", &[]), &there);
+    assert_same(&table(README, "The paper's five passes", &[]), &there);
 }
 
 #[test]

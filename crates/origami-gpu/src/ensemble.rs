@@ -77,7 +77,7 @@ pub(crate) fn in_runs(
                 goes_on?;
             }
             Err(error) => {
-                group.iter().try_for_each(|i| take(*i, Err(backend(error.clone(), &instances[*i].start, 0))))?
+                group.iter().try_for_each(|i| take(*i, Err(backend(error.clone(), &instances[*i].start, 0))))?;
             }
         }
     }

@@ -37,7 +37,7 @@ pub(crate) fn measure(place: &Place) -> Result<Ended, Box<dyn Error>> {
         let reference = fold(&dynamics, &model)?;
         for (by, way) in ways(&place.gpu, &dynamics, &model) {
             let solver = on(&place.gpu, dynamics.clone(), way);
-            let [first, second] = [fold(&*solver, &model)?, fold(&*solver, &model)?];
+            let [first, second] = twice(&*solver, &model)?;
             let far = farthest(&first.state.positions, &reference.state.positions);
             row("dynamics", &by, "distance from the CPU after 300 steps, radii", far)?;
             row("dynamics", &by, "same bits", yes(same_bits(&first.state, &second.state)))?;
@@ -49,7 +49,7 @@ pub(crate) fn measure(place: &Place) -> Result<Ended, Box<dyn Error>> {
         row("relax", "CPU", "evaluations", reference.steps as f64)?;
         for (by, way) in ways(&place.gpu, &relax, &model) {
             let solver = on(&place.gpu, relax.clone(), way);
-            let [first, second] = [fold(&*solver, &model)?, fold(&*solver, &model)?];
+            let [first, second] = twice(&*solver, &model)?;
             let far = align(&first.state.positions, &reference.state.positions).max;
             row("relax", &by, "distance from the CPU's equilibrium, radii", far)?;
             row("relax", &by, "converged", yes(first.converged()))?;
@@ -62,6 +62,13 @@ pub(crate) fn measure(place: &Place) -> Result<Ended, Box<dyn Error>> {
 
 fn fold(solver: &dyn Solver, model: &Model) -> Result<Folded, Box<dyn Error>> {
     Ok(solver.fold(model, &State::at_rest(model), &Scene::percent(PERCENT), &mut unwatched)?)
+}
+
+/// Two runs that share their pipelines and nothing else.
+fn twice(solver: &dyn Solver, model: &Model) -> Result<[Folded; 2], Box<dyn Error>> {
+    let mut session = solver.session(model);
+    let mut fold = || session.fold(&State::at_rest(model), &Scene::percent(PERCENT), &mut unwatched);
+    Ok([fold()?, fold()?])
 }
 
 fn yes(is: bool) -> f64 {

@@ -38,7 +38,7 @@ impl Place {
 
     /// How long one figure is measured.
     pub(crate) fn lasting(&self) -> Duration {
-        Duration::from_millis(if self.rehearse { 30 } else { 500 })
+        Duration::from_millis(if self.rehearse { 30 } else { 250 })
     }
 
     /// Writes a figure down.

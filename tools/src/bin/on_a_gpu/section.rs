@@ -33,8 +33,8 @@ const fn section(name: &'static str, share: f64, work: Work) -> Section {
 /// All of them, in their order. The tests are not among them: they are programs of their own.
 pub(crate) const ALL: [Section; 7] = [
     section("machine", 2.0, machine::describe),
-    section("parity", 6.0, parity::measure),
-    section("speed", 16.0, speed::measure),
+    section("parity", 8.0, parity::measure),
+    section("speed", 22.0, speed::measure),
     section("ensembles", 7.0, ensembles::measure),
     section("folded", 10.0, folded::measure),
     section("memory", 2.0, memory::measure),

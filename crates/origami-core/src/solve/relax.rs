@@ -372,11 +372,11 @@ impl Run<'_> {
                 return kept.map(|kept| Folded { stop: Stop::Cancelled, ..kept });
             }
         }
-        let kept = match kept {
-            Ok(kept) if kept.stop == Stop::StepLimit && relax.retries() => self.settle::<R>(kept, threads, observe)?,
-            kept => return if relax.retries() { or_crushed((model, scene), kept, attempt.number) } else { kept },
-        };
-        Ok(kept)
+        match kept {
+            Ok(kept) if kept.stop == Stop::StepLimit && relax.retries() => Ok(self.settle::<R>(kept, threads, observe)),
+            kept if relax.retries() => or_crushed((model, scene), kept, attempt.number),
+            kept => kept,
+        }
     }
 
     /// Goes on with a state that an attempt gave up, since none found a better one, for the evaluations that are left.
@@ -385,21 +385,22 @@ impl Run<'_> {
         kept: Folded,
         threads: usize,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<Folded, Failed> {
+    ) -> Folded {
         let Self { relax, model, scene, .. } = *self;
         let limit = relax.max_steps.saturating_sub(kept.steps);
         if limit == 0 {
-            return Ok(kept);
+            return kept;
         }
-        let Folded { state, steps, attempts, .. } = kept;
+        let (state, steps) = (&kept.state, kept.steps);
         let way = (scene, state.targets.clone(), 0, None);
-        let mut stepper = relax.stepper::<R>((model, &state), state.positions.clone(), way, threads);
+        let mut stepper = relax.stepper::<R>((model, state), state.positions.clone(), way, threads);
         let crushed = Some(CRUSHED_RAMPS * u64::from(default_ramp(model)));
         let mut observe = |progress: Progress| observe(Progress { step: steps + progress.step, ..progress });
         let limit = Limit { steps: limit, all: false, crushed, lost: None };
-        let stop = stepper.run((model, &state), limit, &mut observe)?;
+        // A state at hand is finite: that it diverges from there does not take it away.
+        let Ok(stop) = stepper.run((model, state), limit, &mut observe) else { return kept };
         let settled = stepper.into_folded(model, scene, scene.targets.clone(), stop);
-        Ok(Folded { steps: steps + settled.steps, attempts, ..settled })
+        Folded { steps: steps + settled.steps, attempts: kept.attempts, ..settled }
     }
 
     fn attempt<R: Compute>(

@@ -49,7 +49,7 @@ def test_a_killed_worker_loses_nothing_and_nothing_comes_twice(client, bird):
             killed.append(workers[0])
             os.kill(workers[0], signal.SIGKILL)
 
-    table = origami.sweep(bird, 90, seeds=400, client=client, batch_seconds=0.05, progress=kill_one)
+    table = origami.sweep(bird, 90, seeds=400, client=client, batch_seconds=0.1, progress=kill_one)
     assert killed
     np.testing.assert_array_equal(table["index"], np.arange(400))
     alone = origami.sweep(bird, 90, seeds=400)

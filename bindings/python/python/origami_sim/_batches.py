@@ -27,7 +27,7 @@ class Batches:
         self._count = sum(end - first for _, first, end in self._left)
         self._again = deque()
         self._seconds = seconds
-        self._per_sheet = None
+        self._folded = [0, 0.0]
 
     def __bool__(self):
         return bool(self._left or self._again)
@@ -49,14 +49,16 @@ class Batches:
 
     def measured(self, count, seconds):
         """Takes note of how long so many sheets took."""
-        now = seconds / count
-        self._per_sheet = now if self._per_sheet is None else 0.7 * self._per_sheet + 0.3 * now
+        self._folded[0] += count
+        self._folded[1] += seconds
 
     def _size(self, workers):
-        if self._per_sheet is None:
+        count, seconds = self._folded
+        if count == 0:
             return 1
-        most = max(1, self._count // (3 * workers))
-        return int(min(most, max(1, self._seconds / max(self._per_sheet, 1e-9))))
+        whole = self._seconds * count / max(seconds, 1e-9)
+        # Smaller ones at the end, but none so small that sending it takes longer than folding it.
+        return max(1, int(min(whole, max(whole / 10, self._count / (3 * workers)))))
 
 
 def _by_plan(sizes, missing):

@@ -3,33 +3,29 @@
 import pickle
 import time
 
+# How many it keeps; those of one sweep come one after the other.
 _MOST = 8
 _plans = {}
 
 
-def keep(key, plan):
-    """Keeps a plan for batches to come, in place of the oldest where there are many."""
-    while len(_plans) >= _MOST:
-        _plans.pop(next(iter(_plans)), None)
-    _plans[key] = plan
-
-
-def forget(key):
-    """Keeps it no longer."""
-    _plans.pop(key, None)
-
-
-def fold_batch(key, plan, first, count, stop=None):
-    """The rows of some sheets and how many seconds they took; None where this worker does not have the plan yet.
-
-    plan: the plan, pickled, or None where the worker is thought to have it.
-    """
-    known = _plans.get(key)
-    if known is None:
-        if plan is None:
-            return None
-        known = pickle.loads(plan)
-        keep(key, known)
+def fold(plan, first, count, stop=None):
+    """The rows of some sheets of a plan, and how many seconds they took."""
     begun = time.perf_counter()
-    lines = known.rows(first, count, stop)
+    lines = plan.rows(first, count, stop)
     return lines, time.perf_counter() - begun
+
+
+def fold_sent(key, pickled, first, count):
+    """The same of a plan that this worker knows by a key; None where it does not.
+
+    pickled: the plan, or None where the worker is thought to have it.
+    """
+    plan = _plans.get(key)
+    if plan is None:
+        if pickled is None:
+            return None
+        plan = pickle.loads(pickled)
+        while len(_plans) >= _MOST:
+            _plans.pop(next(iter(_plans)), None)
+        _plans[key] = plan
+    return fold(plan, first, count)

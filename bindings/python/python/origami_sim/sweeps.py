@@ -68,9 +68,10 @@ def sweep(
     patterns = list(patterns) if several else [patterns]
     plans = [_native.Plan(pattern, solver, asked, place if several else None) for place, pattern in enumerate(patterns)]
     count = sum(len(plan) for plan in plans)
-    with Rows(output, _native.header(several), count, _key(patterns, solver, asked), resume) as rows:
+    key = None if output is None else _key(patterns, solver, asked)
+    with Rows(output, _native.header(several), count, key, resume) as rows:
         batches = Batches([len(plan) for plan in plans], rows.missing(), batch_seconds)
-        with _Crew(client, workers, plans) as crew:
+        with _Threads(workers, plans) if client is None else _Others(client, workers, plans) as crew:
             _run(crew, batches, rows, retries, progress)
         return _native.columns(rows.finish(), several)
 
@@ -107,67 +108,75 @@ def _run(crew, batches, rows, retries, progress):
                 progress(len(rows), rows.count)
 
 
-class _Crew:
-    """Who folds, whatever engine it is of: Dask's client is an executor too."""
+class _Threads:
+    """Threads of this process: the plans are here, and a batch can be stopped while it runs."""
 
-    def __init__(self, client, workers, plans):
-        self._token = uuid.uuid4().hex
+    def __init__(self, workers, plans):
+        self._workers = workers or os.cpu_count() or 1
         self._plans = plans
-        self._pickled = {}
-        self._workers = workers
-        self._client = client if hasattr(client, "get_executor") else None
-        self._asked = None
-        self._stop = None
-        if client is None:
-            self._workers = workers or os.cpu_count() or 1
-            self._stop = _native.Stop()
-            self._executor = ThreadPoolExecutor(self._workers)
-            for place, plan in enumerate(plans):
-                _work.keep((self._token, place), plan)
-        else:
-            # A batch gives other rows each time that it is asked for others: its result is not to be looked up.
-            self._executor = client.get_executor(pure=False) if self._client else client
-        self._futures = set()
+        self._stop = _native.Stop()
+        self._executor = ThreadPoolExecutor(self._workers)
 
     def __enter__(self):
         return self
 
     def __exit__(self, kind, error, trace):
-        if self._stop is not None:
-            if kind is not None:
-                self._stop.set()
-            self._executor.shutdown(cancel_futures=True)
-            for place in range(len(self._plans)):
-                _work.forget((self._token, place))
-        elif kind is not None:
-            for future in self._futures:
-                future.cancel()
+        if kind is not None:
+            self._stop.set()
+        self._executor.shutdown(cancel_futures=True)
 
-    def submit(self, part, with_plan=False):
-        """A future of the rows of a part; None where the worker does not have the plan yet."""
-        plan = self._plan(part.plan) if with_plan else None
-        arguments = ((self._token, part.plan), plan, part.first, part.count)
-        if self._stop is not None:
-            arguments += (self._stop,)
-        future = self._executor.submit(_work.fold_batch, *arguments)
-        self._futures.add(future)
-        future.add_done_callback(self._futures.discard)
-        return future
+    def size(self):
+        """How many batches are folded at once."""
+        return self._workers
+
+    def submit(self, part):
+        """A future of the rows of a part."""
+        return self._executor.submit(_work.fold, self._plans[part.plan], part.first, part.count, self._stop)
+
+
+class _Others:
+    """Workers of another engine. Dask's client has an executor too, which sends lost batches to other workers."""
+
+    def __init__(self, client, workers, plans):
+        self._dask = client if hasattr(client, "get_executor") else None
+        self._executor = client.get_executor(pure=False) if self._dask else client
+        self._workers = workers
+        self._plans = plans
+        self._pickled = {}
+        self._token = uuid.uuid4().hex
+        self._futures = set()
+        self._asked = None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, error, trace):
+        for future in list(self._futures):
+            future.cancel()
 
     def size(self):
         """How many batches are folded at once: workers may come and go."""
         if self._workers is not None:
             return self._workers
-        if self._client is None:
+        if self._dask is None:
             return getattr(self._executor, "_max_workers", None) or os.cpu_count() or 1
         now = time.monotonic()
         if self._asked is None or now - self._asked[0] > 1.0:
-            self._asked = now, max(1, sum(self._client.nthreads().values()))
+            self._asked = now, max(1, sum(self._dask.nthreads().values()))
         return self._asked[1]
+
+    def submit(self, part, with_plan=False):
+        """A future of the rows of a part; of None where the worker does not have the plan yet."""
+        plan = self._plan(part.plan) if with_plan else None
+        future = self._executor.submit(_work.fold_sent, (self._token, part.plan), plan, part.first, part.count)
+        self._futures.add(future)
+        future.add_done_callback(self._futures.discard)
+        return future
 
     def _plan(self, place):
         if place not in self._pickled:
-            self._pickled[place] = pickle.dumps(self._plans[place])
+            # Of several patterns one comes after the other.
+            self._pickled = {place: pickle.dumps(self._plans[place])}
         return self._pickled[place]
 
 

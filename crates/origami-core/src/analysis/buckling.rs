@@ -13,8 +13,8 @@ use super::{Configuration, Refused};
 
 /// How far the node that moves farthest is moved to see how the tangent changes, in sizes.
 const FAR: f64 = 1e-5;
-/// Displacements by linear analysis, in sizes, beyond which no critical load is sought.
-const FARTHEST: f64 = 1e3;
+/// Displacements by linear analysis, in sizes, beyond which no critical load is sought: it would mean nothing.
+const FARTHEST: f64 = 1.0;
 /// How sharply a critical factor is found, as a share of itself.
 const SHARP: f64 = 1e-12;
 
@@ -29,7 +29,7 @@ pub struct Buckling {
 
 impl Structure {
     /// The `count` smallest positive load factors at which the structure as drawn buckles by linear analysis; fewer where
-    /// there are none before it would be displaced by a thousand times its size.
+    /// there are none before a node would be displaced by the structure's own size.
     ///
     /// # Errors
     /// As [`Structure::first_order`]; [`Refused::Singular`] where it is not stable as drawn.

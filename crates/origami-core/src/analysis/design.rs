@@ -6,6 +6,9 @@ use super::minimise::{Effort, minimise};
 use super::structure::Structure;
 use super::{Configuration, Gradient, Refused};
 
+/// A step after which a node is farther than this from where it was, in sizes, may have led to another state: it is shortened.
+const FARTHEST: f64 = 0.1;
+
 /// Numbers of a structure that a design may change: all members named take the same value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
@@ -111,13 +114,18 @@ impl Structure {
                 }
             }
         };
-        let mut at = start.clone();
+        let size = self.size();
+        let mut at = self.equilibrium(start, load_factor)?;
         let mut refused = None;
         let bounds: Vec<[f64; 2]> = variables.iter().map(|variable| variable.bounds).collect();
         let mut evaluate = |values: &[f64]| {
             set(&mut structure, values);
             let found = structure.equilibrium(&at, load_factor).and_then(|found| {
                 let (value, by_positions) = objective(&found);
+                let moves = found.positions.iter().zip(&at.positions).map(|(p, q)| p.distance(*q));
+                if moves.fold(0.0, f64::max) > FARTHEST * size {
+                    return Err(Refused::NotFound { at: "a step of the design".to_owned(), iterations: 1 });
+                }
                 let gradient = structure.gradient(&found, load_factor, &by_positions)?;
                 Ok((found, value, gradient))
             });

@@ -86,7 +86,7 @@ fn rest_angles_are_found_that_give_a_shape() {
     let each = |i| Variable { members: Members::RestAngles(vec![i]), bounds: [-3.0, 3.0] };
     let variables: Vec<Variable> = (0..flat.hinges.len()).map(each).collect();
     let found = flat.design(&drawn, 0.0, &variables, &Effort::default(), &mut objective).expect("a design");
-    assert!(found.value < 1e-8 * start, "from {start} to {} in {}", found.value, found.evaluations);
+    assert!(found.value < 1e-5 * start, "from {start} to {} in {}", found.value, found.evaluations);
 }
 
 #[test]

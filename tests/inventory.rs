@@ -26,6 +26,7 @@ fn a_full_scene_has_every_group() {
         ("mountain and valley creases", 4),
         ("facet creases", 4),
         ("corner angles", 24),
+        ("areas", 8),
         ("damping", 16),
     ];
     assert_eq!(built(&all), groups);
@@ -35,12 +36,13 @@ fn a_full_scene_has_every_group() {
 #[test]
 fn what_has_no_stiffness_is_not_built() {
     let pattern = miura(2, 2).expect("valid");
-    let none = Material { k_facet: 0.0, k_face: 0.0, zeta: 0.0, ..Material::default() };
+    let none = Material { k_facet: 0.0, k_face: 0.0, zeta: 0.0, collapse: 0.0, ..Material::default() };
     let few = inventory(&pattern, none, &Dynamics::default());
     assert_eq!(built(&few), [("beams", 16), ("mountain and valley creases", 4)]);
     let reasons = left_out(&few);
     assert!(reasons.contains(&("crease springs", 4, "their stiffness is 0")), "{reasons:?}");
     assert!(reasons.contains(&("corner angles", 24, "k_face is 0")), "{reasons:?}");
+    assert!(reasons.contains(&("areas", 8, "collapse is 0")), "{reasons:?}");
     assert!(reasons.contains(&("damping", 0, "zeta is 0")), "{reasons:?}");
     let model = Model::new(&pattern, &none).expect("valid");
     assert!(model.corner_angles.is_empty() && model.creases.len() == 4);
@@ -50,7 +52,7 @@ fn what_has_no_stiffness_is_not_built() {
 fn a_relaxation_has_no_damping_and_a_free_crease_no_spring() {
     let pattern = Degree4 { driven_only: true, ..Degree4::default() }.pattern().expect("valid");
     let driven = inventory(&pattern, Material::default(), &Relax::default());
-    assert_eq!(built(&driven), [("beams", 8), ("mountain and valley creases", 1), ("corner angles", 12)]);
+    assert_eq!(built(&driven), [("beams", 8), ("mountain and valley creases", 1), ("corner angles", 12), ("areas", 4)]);
     let reasons = left_out(&driven);
     assert!(reasons.contains(&("crease springs", 3, "their edges are undriven")), "{reasons:?}");
     assert!(reasons.iter().any(|(what, _, _)| *what == "damping"), "{reasons:?}");

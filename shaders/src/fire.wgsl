@@ -20,11 +20,15 @@ fn reduce_node(instance: u32, n: u32, sum: vec4<f32>) -> vec4<f32> {
     if (renews(instance)) {
         nodes[node].mass = sum.w;
     }
-    let force = sum.xyz;
-    nodes[node].force = force;
-    let mass = nodes[node].mass;
-    let velocity = nodes[node].velocity;
-    return vec4<f32>(dot(force, velocity), mass * dot(velocity, velocity), dot(force, force) / mass, 0.0);
+    nodes[node].force = sum.xyz;
+    return fire_sums(nodes[node]);
+}
+
+// A node's part of power, speed and pull.
+fn fire_sums(node: Node) -> vec4<f32> {
+    let power = dot(node.force, node.velocity);
+    let speed = node.mass * dot(node.velocity, node.velocity);
+    return vec4<f32>(power, speed, dot(node.force, node.force) / node.mass, 0.0);
 }
 
 // Decides, from the sums over all nodes, how they move; keeps count and leads the ramp.
@@ -69,14 +73,15 @@ fn update_fire(instance: u32, sums: vec4<f32>) {
     atomicStore(&control[instance].move_squared_max, 0u);
 }
 
-fn move_node(instance: u32, n: u32) {
-    let node = instance * NODES + n;
-    let velocity = nodes[node].velocity;
+// Node `n` after it has moved as was decided.
+fn turned(instance: u32, n: u32, node: Node) -> Node {
     let step = control[instance].fire_step;
-    let force = nodes[node].force * (control[instance].towards_force / nodes[node].mass);
-    let turned = velocity * control[instance].keep + force;
-    nodes[node].velocity = turned;
-    let there = moved(instance, n, position_of(node), turned * step + velocity * control[instance].back);
-    nodes[node].high = there.high;
-    nodes[node].low = there.low;
+    let force = node.force * (control[instance].towards_force / node.mass);
+    var there = node;
+    there.velocity = node.velocity * control[instance].keep + force;
+    let displacement = there.velocity * step + node.velocity * control[instance].back;
+    let position = moved(instance, n, SplitVector(node.high, node.low), displacement);
+    there.high = position.high;
+    there.low = position.low;
+    return there;
 }

@@ -3,6 +3,10 @@
 @compute @workgroup_size(WORKGROUP)
 fn fire_move(@builtin(global_invocation_id) id: vec3<u32>) {
     if (id.x < NODES && control[id.y].stop == RUNNING) {
-        move_node(id.y, id.x);
+        let node = id.y * NODES + id.x;
+        let there = turned(id.y, id.x, nodes[node]);
+        nodes[node].high = there.high;
+        nodes[node].low = there.low;
+        nodes[node].velocity = there.velocity;
     }
 }

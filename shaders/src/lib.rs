@@ -65,6 +65,10 @@ shaders! {
     SLOTS = "slots.wgsl";
     /// Forces on a node, summed in fixed order.
     GATHER = "gather.wgsl";
+    /// The stopping rule's decision.
+    SETTLING = "settling.wgsl";
+    /// The safe time step.
+    TIME_STEP = "time_step.wgsl";
     /// The clock of dynamics.
     CLOCK = "clock.wgsl";
     /// One step of a node.
@@ -139,6 +143,8 @@ shaders! {
     BLOCK_RELAX = "block_relax.wgsl";
     /// Kernel: nodes to where others look for them.
     BRING_HOME = "bring_home.wgsl";
+    /// A small sheet as one block.
+    SMALL_SHEET = "small_sheet.wgsl";
     /// Kernel: many steps of dynamics by one workgroup.
     WORKGROUP_DYNAMICS = "workgroup_dynamics.wgsl";
     /// Kernel: many evaluations of a relaxation by one workgroup.

@@ -27,7 +27,7 @@ fn loose_force(instance: u32, own: LooseBeam) -> vec3<f32> {
         let longer = excess(displacement, own.rest_high, own.rest_low);
         force = along * (k * longer / ((length + rest) * length));
     }
-    if (DAMPED) {
+    if (DAMPED && damps) {
         let velocity_difference = velocity_at(instance, own.nodes[1]) - velocity_at(instance, own.nodes[0]);
         force += velocity_difference * (2.0 * zeta(instance) * sqrt(k));
     }

@@ -8,23 +8,11 @@ fn settle_windows(
     @builtin(local_invocation_index) local: u32,
 ) {
     let instance = id.y;
-    // The square of the move, the least distance; force along the move, its change along the move.
     var own = vec4<f32>(0.0);
     let checks_now = control[instance].stop == RUNNING && ramp_is_done(instance) && window_ends(instance);
     if (id.x < NODES && checks_now) {
         let node = instance * NODES + id.x;
-        let force = gathered(instance, id.x).xyz;
-        let before = windows[node];
-        let moved = vector(difference(SplitVector(before.high, before.low), position_of(node)));
-        own = vec4<f32>(
-            dot(moved, moved),
-            sqrt(dot(force, force)) * nodes[node].softness,
-            dot(force, moved),
-            dot(force - before.force, moved),
-        );
-        windows[node].high = nodes[node].high;
-        windows[node].low = nodes[node].low;
-        windows[node].force = force;
+        own = next_window(node, nodes[node], gathered(instance, id.x).xyz);
     }
     let both = workgroup_maxima_and_sums(local, own);
     if (local == 0u) {

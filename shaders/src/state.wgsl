@@ -61,6 +61,9 @@ fn rest_length(rest_high: i32, rest_low: f32) -> f32 {
     return sqrt(f32(rest_high) * (QUANTUM * QUANTUM) + rest_low);
 }
 
+// Whether the forces that are computed now have the damping in them, where there is any.
+var<private> damps: bool = true;
+
 // What of a force or a sum of forces a node feels: nothing along the axes that hold it.
 fn felt(held: u32, force: vec3<f32>) -> vec3<f32> {
     if (FIXED) {

@@ -36,7 +36,7 @@ fn forces_of_triangle(instance: u32, f: u32) {
         let stiffness = side_stiffness(instance, f, i, rest);
         let beam = part(own.sides[i]) * tension(stiffness, lengths[i], rest, t.excess[i]);
         along[i] = t.sides[i] * beam + cross(t.normal, t.sides[i]) * pulls[i];
-        if (DAMPED) {
+        if (DAMPED && damps) {
             let end = own.nodes[(i + 1u) % 3u];
             let velocity_difference = velocity_at(instance, end) - velocity_at(instance, own.nodes[i]);
             // c = 2 zeta sqrt(k) (2.5), masses 1.

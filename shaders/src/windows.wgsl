@@ -26,3 +26,13 @@ fn window_ends(instance: u32) -> bool {
 fn ramp_is_done(instance: u32) -> bool {
     return control[instance].ramp_step >= control[instance].ramp_length;
 }
+
+// Begins a window of a node that lies there and feels `force`; returns what the one before has seen: the square of the move,
+// the least distance; force along the move, its change along the move.
+fn next_window(at: u32, node: Node, force: vec3<f32>) -> vec4<f32> {
+    let before = windows[at];
+    let position = SplitVector(node.high, node.low);
+    let way = vector(difference(SplitVector(before.high, before.low), position));
+    windows[at] = Before(node.high, 0u, node.low, 0.0, force, 0.0);
+    return vec4<f32>(dot(way, way), sqrt(dot(force, force)) * node.softness, dot(force, way), dot(force - before.force, way));
+}

@@ -7,8 +7,9 @@ use origami_core::scene::{Load, Scene, Support, Targets};
 use origami_core::solve::{Integrator, Method, Precision, Simulation, TimeStep, Units};
 use origami_core::{Dynamics, Material, Model, Relax, State};
 
-/// Steps during which memory is touched for the first time: windows of the stopping rule, the first copy of a good state.
-const WARM_UP: u64 = 205;
+/// Steps during which memory is touched for the first time: windows of the stopping rule, the first copy of a good state, and
+/// the end of the ramp, where a soft sheet becomes as stiff as its material.
+const WARM_UP: u64 = 605;
 
 fn allocations(method: impl Method, scene: &Scene) -> u64 {
     let pattern = catalog::generate("miura", &[]).expect("a pattern");

@@ -6,10 +6,22 @@ use std::sync::{Arc, OnceLock};
 use crate::adapter::{AdapterChoice, AdapterSummary, found};
 use crate::error::{GpuError, one_line};
 
+/// Bytes of workgroup memory that are asked for where the adapter has them; more would leave its processors idle.
+const WORKGROUP_STORAGE: u32 = 32_768;
+
+/// What of a device decides which way a sheet goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Abilities {
+    /// Whether it is known to be hardware.
+    pub(crate) hardware: bool,
+    /// Bytes that a workgroup shares.
+    pub(crate) workgroup_storage: usize,
+}
+
 /// An adapter that has been opened. Cloning it is cheap and opens nothing.
 ///
-/// It needs no more than `wgpu::Limits::default()` and no optional feature. Larger buffers are allowed where the adapter
-/// has them.
+/// It needs no more than `wgpu::Limits::default()` and no optional feature. Larger buffers, and 32 KiB of workgroup
+/// memory, are allowed where the adapter has them.
 #[derive(Clone, Debug)]
 pub struct Gpu {
     inner: Arc<Inner>,
@@ -42,6 +54,7 @@ impl Gpu {
         let limits = wgpu::Limits {
             max_storage_buffer_binding_size: theirs.max_storage_buffer_binding_size,
             max_buffer_size: theirs.max_buffer_size,
+            max_compute_workgroup_storage_size: theirs.max_compute_workgroup_storage_size.min(WORKGROUP_STORAGE),
             ..wgpu::Limits::default()
         };
         let descriptor = wgpu::DeviceDescriptor { required_limits: limits.clone(), ..Default::default() };
@@ -105,9 +118,12 @@ impl Gpu {
         &self.inner.limits
     }
 
-    /// Whether its adapter is known to be hardware.
-    pub(crate) fn is_hardware(&self) -> bool {
-        self.adapter().kind.is_hardware()
+    /// What decides which way a sheet goes.
+    pub(crate) fn abilities(&self) -> Abilities {
+        Abilities {
+            hardware: self.adapter().kind.is_hardware(),
+            workgroup_storage: self.limits().max_compute_workgroup_storage_size as usize,
+        }
     }
 
     /// Bytes that a buffer may have which shaders read and write.

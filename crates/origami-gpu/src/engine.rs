@@ -11,13 +11,13 @@ use crate::kernels::{Binding, Kernel, triangle_forces, workgroup_dynamics, workg
 use crate::layout::{Before, Control, CreaseState, Node};
 use crate::outside::Outside;
 use crate::pipeline::{Buffers, Pass, buffer};
-use crate::plan::{CHECK_INTERVAL, Plan};
-use crate::purpose::Purpose;
-use crate::route::Route;
+use crate::plan::{CHECK_INTERVAL, Plan, batch};
+use crate::purpose::{Dispatch, Purpose};
+use crate::route::{Route, small_variant};
 use crate::sheet_arrays::SheetArrays;
-use crate::variant::Variant;
 #[cfg(test)]
-use crate::{purpose::Dispatch, variant::Scheme};
+use crate::variant::Scheme;
+use crate::variant::{Small, Variant};
 
 /// The buffers and passes of a sheet, for up to `instances` instances.
 #[derive(Debug)]
@@ -51,6 +51,8 @@ struct Passes {
     alone: bool,
     /// Steps that it takes at once.
     stride: u64,
+    /// A pass that takes more steps at once, and how many.
+    long: Option<(u64, Pass)>,
     /// Steps between two renewals of masses or of the time step; 0 where there are none.
     renewal: u64,
 }
@@ -76,14 +78,17 @@ impl Engine {
         instances: usize,
     ) -> Result<Self, GpuError> {
         let plain = Variant::new(arrays, purpose.scheme, material);
-        let route = Route::new(arrays, &plain, purpose, gpu.is_hardware());
+        let route = Route::new(arrays, purpose, gpu.abilities());
         let variant = route.variant(&plain);
         check_counts(&variant)?;
         gpu.scoped(|| {
             let buffers = buffers(gpu, arrays, &variant, &route, instances)?;
-            let passes = Passes::new(gpu, &variant, &route, &buffers, purpose.safe);
+            let small = route.blocks().filter(|_| route.dispatch() == Dispatch::Workgroup);
+            let most = batch(arrays.nodes);
+            let small = small.map(|blocks| small_variant(arrays, blocks, &variant, purpose.safe, most));
+            let passes = Passes::new(gpu, &variant, small.as_ref(), &buffers, purpose.safe);
             let engine = Self::plain(gpu, variant, buffers, Vec::new());
-            let copies = if let Route::Blocks(blocks) = route { Some(blocks.copies) } else { None };
+            let copies = route.blocks().map(|blocks| blocks.copies.clone());
             Ok(Self { load_slots: arrays.load_slots.clone(), copies, passes, instances, ..engine })
         })?
     }
@@ -93,10 +98,10 @@ impl Engine {
     pub(crate) fn bare(gpu: &Gpu, model: &Model, scheme: Scheme, dispatch: Dispatch) -> Result<Self, GpuError> {
         let arrays = SheetArrays::new(model);
         let plain = Variant::new(&arrays, scheme, Some(model.material));
-        let route = Route::new(&arrays, &plain, Purpose { scheme, safe: false, dispatch }, false);
+        let route = Route::new(&arrays, Purpose { scheme, safe: false, dispatch }, gpu.abilities());
         let variant = route.variant(&plain);
         let buffers = gpu.scoped(|| buffers(gpu, &arrays, &variant, &route, 1))??;
-        let copies = if let Route::Blocks(blocks) = route { Some(blocks.copies) } else { None };
+        let copies = route.blocks().map(|blocks| blocks.copies.clone());
         Ok(Self { copies, ..Self::plain(gpu, variant, buffers, Vec::new()) })
     }
 
@@ -128,14 +133,19 @@ impl Engine {
         Outside { holds: self.variant.fixed, loaded: self.load_slots.iter().map(|(node, _)| *node).collect() }
     }
 
-    /// Records the steps `from..to`, counted since the start; where a workgroup takes many steps `from` is a multiple of
-    /// [`CHECK_INTERVAL`].
+    /// Records the steps `from..to`, counted since the start.
     pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, instances: u32, from: u64, to: u64) {
         let mut record = |passes: &[Pass]| passes.iter().for_each(|p| p.record(pass, instances));
         let (passes, dynamics) = (&self.passes, !self.variant.relaxing());
         // Dynamics begins with a time step, a relaxation without masses.
         let renews = |step: u64| passes.renewal > 0 && step.is_multiple_of(passes.renewal) && (step > 0 || !dynamics);
-        for step in (from..to).step_by(passes.stride as usize) {
+        let mut step = from;
+        while step < to {
+            if let Some((steps, pass)) = passes.long.as_ref().filter(|(steps, _)| to - step >= *steps) {
+                record(std::slice::from_ref(pass));
+                step += steps;
+                continue;
+            }
             let (is_check, renews) = (step.is_multiple_of(CHECK_INTERVAL), renews(step));
             if !passes.alone || is_check || renews {
                 record(&passes.fold_angles);
@@ -151,6 +161,7 @@ impl Engine {
             }
             record(&passes.damped_forces);
             record(&passes.integration);
+            step += passes.stride;
         }
         record(&passes.home);
     }
@@ -162,42 +173,49 @@ impl Engine {
 }
 
 impl Passes {
-    fn new(gpu: &Gpu, variant: &Variant, route: &Route, buffers: &Buffers, safe: bool) -> Self {
+    /// `small`: the variant of a workgroup that has the whole sheet.
+    fn new(gpu: &Gpu, variant: &Variant, small: Option<&Variant>, buffers: &Buffers, safe: bool) -> Self {
         let pass = |kernel, variant: &Variant, clock| Pass::new(gpu, kernel, variant, clock, buffers);
         let plan = Plan::new(variant, safe);
         let passes = |kernels: &[&'static Kernel]| kernels.iter().map(|k| pass(k, variant, false)).collect();
+        if let Some(small) = small {
+            let kernel = if variant.relaxing() { &workgroup_relax::KERNEL } else { &workgroup_dynamics::KERNEL };
+            let of = |steps: u64| {
+                let steps = steps.min(u64::from(small.small.steps));
+                #[expect(clippy::cast_possible_truncation, reason = "no more than there were")]
+                let own = Small { steps: steps as u32, ..small.small };
+                (steps, pass(kernel, &Variant { small: own, ..small.clone() }, false))
+            };
+            // Sheets that take turns stop at whole intervals.
+            let (stride, short) = of(CHECK_INTERVAL);
+            return Self {
+                integration: vec![short],
+                checkpoint: passes(plan.checkpoint),
+                alone: true,
+                stride,
+                long: (u64::from(small.small.steps) > stride).then(|| of(u64::MAX)),
+                ..Self::default()
+            };
+        }
         let undamped =
             |kernels: &[&'static Kernel]| kernels.iter().map(|k| pass(k, &variant.undamped(), false)).collect();
-        let common = Self {
+        let alone = variant.blocks.is_some();
+        // The pass over the triangles advances the clock.
+        let clock = |k: &Kernel| k.name == triangle_forces::KERNEL.name;
+        let damped: &[&Kernel] = if alone || variant.relaxing() { &[] } else { &plan.forces };
+        Self {
             fold_angles: undamped(plan.angles),
             spring_forces: undamped(&plan.forces),
+            damped_forces: damped.iter().map(|k| pass(k, variant, clock(k))).collect(),
             settling: passes(plan.settling),
+            row_sums: passes(plan.row_sums),
+            integration: passes(plan.integration),
             checkpoint: passes(plan.checkpoint),
             home: passes(plan.home),
+            alone,
             stride: 1,
-            ..Self::default()
-        };
-        match route {
-            Route::Workgroup(own) => {
-                let (kernel, row_sums) = match variant.relaxing() {
-                    // The workgroup renews its masses itself.
-                    true => (&workgroup_relax::KERNEL, &[][..]),
-                    false => (&workgroup_dynamics::KERNEL, plan.row_sums),
-                };
-                let renewal = if row_sums.is_empty() { 0 } else { plan.renewal };
-                let integration = vec![pass(kernel, own, false)];
-                let stride = u64::from(own.steps);
-                Self { row_sums: passes(row_sums), integration, alone: true, stride, renewal, ..common }
-            }
-            Route::Passes | Route::Blocks(_) => {
-                let alone = matches!(route, Route::Blocks(_));
-                // The pass over the triangles advances the clock.
-                let clock = |k: &Kernel| k.name == triangle_forces::KERNEL.name;
-                let damped: &[&Kernel] = if alone || variant.relaxing() { &[] } else { &plan.forces };
-                let damped_forces = damped.iter().map(|k| pass(k, variant, clock(k))).collect();
-                let (row_sums, integration) = (passes(plan.row_sums), passes(plan.integration));
-                Self { damped_forces, row_sums, integration, alone, renewal: plan.renewal, ..common }
-            }
+            long: None,
+            renewal: plan.renewal,
         }
     }
 }
@@ -227,19 +245,18 @@ pub(crate) fn check_counts(variant: &Variant) -> Result<(), GpuError> {
 pub(crate) fn sizes(arrays: &SheetArrays, variant: &Variant, route: &Route) -> Vec<(Binding, u64, u64)> {
     let size = |count: usize, of: usize| (count * of) as u64;
     let nodes = arrays.nodes;
+    // By blocks dynamics keeps the nodes twice: where they are, and where they come to.
+    let halves = if matches!(route, Route::Blocks(_)) && !variant.relaxing() { 2 } else { 1 };
     let mut sizes = vec![
         (Binding::Control, size(1, size_of::<Control>()), 0),
-        (Binding::Partials, size(variant.groups(nodes).max(variant.sums()), 16), 0),
+        (Binding::Nodes, size(halves * nodes, size_of::<Node>()), 0),
         (Binding::Windows, size(nodes, size_of::<Before>()), 0),
         (Binding::CheckpointNodes, size(nodes, size_of::<Node>()), 0),
         (Binding::CheckpointAngles, size(variant.creases, 4), 0),
     ];
-    if let Route::Blocks(blocks) = route {
-        // Dynamics keeps the nodes twice: where they are, and where they come to.
-        let halves = if variant.relaxing() { 1 } else { 2 };
+    let partials = (Binding::Partials, size(variant.groups(nodes).max(variant.sums()), 16), 0);
+    if let Some(blocks) = route.blocks() {
         sizes.extend([
-            (Binding::Nodes, size(halves * nodes, size_of::<Node>()), 0),
-            (Binding::Slots, size(nodes, 16), 0),
             (Binding::Blocks, 0, size(blocks.words.len(), 4)),
             (Binding::Angles, size(variant.creases, 4), 0),
             (Binding::Targets, size(variant.creases, 8), 0),
@@ -247,10 +264,13 @@ pub(crate) fn sizes(arrays: &SheetArrays, variant: &Variant, route: &Route) -> V
         if variant.loads {
             sizes.push((Binding::Loads, size(nodes, 16), 0));
         }
+        if matches!(route, Route::Blocks(_)) {
+            sizes.extend([partials, (Binding::Slots, size(nodes, 16), 0)]);
+        }
         return sizes;
     }
     sizes.extend([
-        (Binding::Nodes, size(nodes, size_of::<Node>()), 0),
+        partials,
         (Binding::CreaseStates, size(arrays.hinges.len(), size_of::<CreaseState>()), 0),
         (Binding::Hinges, 0, size_of_val(&arrays.hinges[..]) as u64),
         (Binding::Faces, 0, size_of_val(&arrays.faces[..]) as u64),
@@ -285,7 +305,7 @@ fn buffers(
             (Binding::Corners, _) => bytemuck::cast_slice(&arrays.corners),
             (Binding::Rigidities, _) => bytemuck::cast_slice(&arrays.rigidities),
             (Binding::LooseBeams, _) => bytemuck::cast_slice(&arrays.loose_beams),
-            (Binding::Blocks, Route::Blocks(blocks)) => bytemuck::cast_slice(&blocks.words),
+            (Binding::Blocks, Route::Blocks(blocks) | Route::Workgroup(blocks)) => bytemuck::cast_slice(&blocks.words),
             _ => &[],
         };
         buffers.insert(binding, buffer(gpu, binding, each * instances as u64 + once, contents)?);
@@ -297,7 +317,7 @@ fn buffers(
 pub(crate) fn most_instances(gpu: &Gpu, arrays: &SheetArrays, purpose: Purpose) -> usize {
     // Buffers are as large with one material as with many.
     let plain = Variant::new(arrays, purpose.scheme, None);
-    let route = Route::new(arrays, &plain, purpose, gpu.is_hardware());
+    let route = Route::new(arrays, purpose, gpu.abilities());
     let variant = route.variant(&plain);
     let allowed = gpu.largest_buffer();
     let fits = sizes(arrays, &variant, &route).into_iter().filter(|(_, each, _)| *each > 0);

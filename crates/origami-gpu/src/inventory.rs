@@ -2,6 +2,7 @@
 
 use origami_core::model::{Built, Inventory, LeftOut, Model};
 
+use crate::device::Abilities;
 use crate::plan::Plan;
 use crate::purpose::Purpose;
 use crate::route::Route;
@@ -9,15 +10,15 @@ use crate::sheet_arrays::SheetArrays;
 use crate::variant::Variant;
 
 /// The model's inventory `inventory`, and what the GPU's pipelines add to it.
-pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose, hardware: bool) -> Inventory {
+pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose, abilities: Abilities) -> Inventory {
     inventory.built.retain(|group| group.what != "areas");
     let arrays = SheetArrays::new(model);
     let plain = Variant::new(&arrays, purpose.scheme, Some(model.material));
-    let route = Route::new(&arrays, &plain, purpose, hardware);
+    let route = Route::new(&arrays, purpose, abilities);
     let variant = route.variant(&plain);
     let plan = Plan::new(&variant, purpose.safe);
     let mut built = |what, count| inventory.built.push(Built { what, count });
-    let by_blocks = matches!(route, Route::Blocks(_));
+    let by_blocks = route.blocks().is_some();
     match &route {
         Route::Workgroup(_) => built("passes in one workgroup", 1),
         Route::Blocks(blocks) => built("blocks of nodes, a workgroup each", blocks.extent.count),

@@ -11,7 +11,8 @@ pub enum Dispatch {
     Auto,
     /// Each pass over all elements, one dispatch after the other.
     Passes,
-    /// One workgroup for each sheet, which takes many steps in one dispatch.
+    /// One workgroup for each sheet, which has it in its memory and takes many steps in one dispatch. Where that memory does not
+    /// hold it: by passes.
     Workgroup,
     /// A workgroup for each block of nodes, which computes from their positions all that pulls at them: fewer bytes, more
     /// arithmetic. Where no workgroup's memory holds what pulls at one node: by passes.
@@ -40,7 +41,7 @@ impl fmt::Display for Dispatch {
 ///
 /// Measured on a software adapter only (llvmpipe, LLVM 15, two cores, over which it spreads passes but not one workgroup):
 /// one workgroup wins at 49 nodes and loses at 64, in both solvers (`cargo bench --features gpu --bench gpu_step --
-/// crossover`). Hardware may differ either way.
+/// crossover`), and with kernels that read from buffers. Hardware may differ either way.
 pub const WORKGROUP_NODES: usize = 50;
 
 /// What an engine is built for.

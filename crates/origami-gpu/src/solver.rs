@@ -17,7 +17,6 @@ use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
 use crate::stream::Asked;
 use crate::traffic::Traffic;
-use crate::variant::Variant;
 use crate::{ensemble, inventory};
 
 impl Gpu {
@@ -54,8 +53,7 @@ impl<S: GpuMethod> OnGpu<S> {
     pub fn way(&self, model: &Model) -> Dispatch {
         let purpose = self.purpose([model].into_iter());
         let arrays = SheetArrays::new(model);
-        let variant = Variant::new(&arrays, purpose.scheme, Some(model.material));
-        Route::new(&arrays, &variant, purpose, self.gpu.is_hardware()).dispatch()
+        Route::new(&arrays, purpose, self.gpu.abilities()).dispatch()
     }
 
     /// What a step moves and what the buffers take on the way that `model` goes, counted: nothing is asked of the GPU.
@@ -103,7 +101,7 @@ impl<S: GpuMethod> Solver for OnGpu<S> {
     }
 
     fn inventory(&self, model: &Model) -> Inventory {
-        inventory::of(model, self.method.inventory(model), self.purpose([model].into_iter()), self.gpu.is_hardware())
+        inventory::of(model, self.method.inventory(model), self.purpose([model].into_iter()), self.gpu.abilities())
     }
 }
 

@@ -5,13 +5,14 @@ use origami_core::solve::{Dynamics, Integrator, TimeStep};
 
 use origami_core::twins::fire_update;
 
-use crate::blocks::Extent;
+use crate::blocks::{Extent, MEMORY};
+use crate::device::Abilities;
 use crate::engine::sizes;
-use crate::kernels::{Binding, Kernel, Per};
+use crate::kernels::{Binding, Kernel, Per, workgroup_dynamics, workgroup_relax};
 use crate::layout::Node;
 use crate::plan::{CHECK_INTERVAL, Plan, batch};
 use crate::purpose::{Dispatch, Purpose};
-use crate::route::Route;
+use crate::route::{Route, small_variant};
 use crate::sheet_arrays::SheetArrays;
 use crate::variant::{Scheme, Variant};
 
@@ -21,8 +22,8 @@ use crate::variant::{Scheme, Variant};
 /// stays in a cache from one pass to the next. Only nodes count by halves of 32 bytes, position apart from velocity and
 /// force. The control block is not counted.
 ///
-/// [`of_relax`](Self::of_relax) and [`of_dynamics`](Self::of_dynamics) are for [`Dispatch::Passes`]; one workgroup does the same
-/// work on what lies in its cache. In [`Dispatch::Blocks`] what several blocks read counts for each of them.
+/// [`of_relax`](Self::of_relax) and [`of_dynamics`](Self::of_dynamics) are for [`Dispatch::Passes`]. In [`Dispatch::Blocks`] what
+/// several blocks read counts for each of them. A workgroup that has the whole sheet reads and writes it once in a dispatch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Traffic {
     /// Nodes of the sheet.
@@ -85,7 +86,11 @@ impl Traffic {
     pub(crate) fn of(model: &Model, scheme: Scheme, safe: bool, dispatch: Dispatch) -> Self {
         let arrays = SheetArrays::new(model);
         let plain = Variant::new(&arrays, scheme, Some(model.material));
-        let route = Route::new(&arrays, &plain, Purpose { scheme, safe, dispatch }, false);
+        let route = Route::new(
+            &arrays,
+            Purpose { scheme, safe, dispatch },
+            Abilities { hardware: false, workgroup_storage: MEMORY },
+        );
         let variant = route.variant(&plain);
         let buffers = sizes(&arrays, &variant, &route).into_iter();
         let mut buffers: Vec<_> = buffers.map(|(binding, each, once)| (binding, each + once)).collect();
@@ -96,6 +101,12 @@ impl Traffic {
         let moved = |kernels: &[&Kernel], variant: &Variant, per_step| -> Vec<PassTraffic> {
             kernels.iter().map(|k| moved(k, variant, &buffers, per_step)).collect()
         };
+        if let Some(blocks) = route.blocks().filter(|_| route.dispatch() == Dispatch::Workgroup) {
+            let small = small_variant(&arrays, blocks, &variant, safe, batch(arrays.nodes));
+            let kernel = if variant.relaxing() { &workgroup_relax::KERNEL } else { &workgroup_dynamics::KERNEL };
+            let passes = moved(&[kernel], &small, 1.0 / f64::from(small.small.steps));
+            return Self { nodes: arrays.nodes, passes, buffers: named(&buffers) };
+        }
         let in_blocks = variant.blocks.is_some();
         let forces = match (in_blocks, variant.relaxing()) {
             // For checks and renewals, of which some are both.
@@ -116,10 +127,7 @@ impl Traffic {
         Self {
             nodes: arrays.nodes,
             passes: forces.into_iter().chain(others).flatten().collect(),
-            buffers: buffers
-                .iter()
-                .map(|(binding, bytes)| BufferSize { what: binding.what(), bytes: *bytes })
-                .collect(),
+            buffers: named(&buffers),
         }
     }
 
@@ -183,6 +191,10 @@ pub(crate) fn moved(kernel: &Kernel, variant: &Variant, buffers: &[(Binding, u64
     PassTraffic { name: kernel.name, per_step, read, written }
 }
 
+fn named(buffers: &[(Binding, u64)]) -> Vec<BufferSize> {
+    buffers.iter().map(|(binding, bytes)| BufferSize { what: binding.what(), bytes: *bytes }).collect()
+}
+
 fn size(buffers: &[(Binding, u64)], binding: Binding) -> u64 {
     buffers.iter().find(|(other, _)| *other == binding).map_or(0, |(_, bytes)| *bytes)
 }
@@ -224,6 +236,7 @@ fn part(kernel: &Kernel, binding: Binding, variant: &Variant) -> Part {
     match (binding, kernel.name) {
         // Few bytes for the whole sheet.
         (Binding::Control | Binding::Settings, _) => halves(0, 0),
+        (Binding::Nodes | Binding::Angles, "workgroup_dynamics" | "workgroup_relax") => halves(2, 2),
         // The position; dampers read velocities too.
         (Binding::Nodes, "triangle_forces") if !variant.damped() => halves(1, 0),
         (Binding::Nodes, "fold_angles" | "row_sums") => halves(1, 0),

@@ -14,6 +14,17 @@ pub(crate) enum Scheme {
     Dynamics { verlet: bool, damped: bool },
 }
 
+/// What the kernels of one workgroup a sheet are built for.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Small {
+    /// Steps of one dispatch.
+    pub(crate) steps: u32,
+    /// Words of the sheet's lists.
+    pub(crate) words: usize,
+    /// Steps between two renewals of the time step; 0 where it stays.
+    pub(crate) renewal: u64,
+}
+
 /// Nodes from which a workgroup has 256 invocations instead of 64: fewer partial sums.
 const LARGE: usize = 16_384;
 
@@ -36,8 +47,8 @@ pub(crate) struct Variant {
     /// Of a sheet that goes by blocks.
     pub(crate) blocks: Option<Extent>,
     pub(crate) workgroup: u32,
-    /// Steps of one dispatch where a workgroup takes many.
-    pub(crate) steps: u32,
+    /// Of a sheet that one workgroup has.
+    pub(crate) small: Small,
 }
 
 impl Variant {
@@ -57,7 +68,7 @@ impl Variant {
             loads: !arrays.load_slots.is_empty(),
             blocks: None,
             workgroup: if arrays.nodes > LARGE { 256 } else { 64 },
-            steps: 1,
+            small: Small::default(),
         }
     }
 
@@ -122,10 +133,12 @@ impl Variant {
             ("GROUPS", self.groups(self.nodes) as f64),
             ("SUMS", self.sums() as f64),
             ("POSITION_WORDS", 3.0 * room.nodes as f64),
-            // An array of no length is not allowed.
-            ("MOMENTS", room.creases.max(1) as f64),
+            ("MOMENTS", room.creases as f64),
             ("FORCE_WORDS", 3.0 * room.slots as f64),
-            ("STEPS", f64::from(self.steps)),
+            ("STEPS", f64::from(self.small.steps)),
+            ("LIST_WORDS", self.small.words as f64),
+            ("SAFE_RENEWAL", self.small.renewal as f64),
+            ("CHECK_INTERVAL", settle_decide::SHORTEST as f64),
             ("RELAXING", is(self.relaxing())),
             ("DAMPED", is(damped)),
             ("VERLET", is(verlet)),

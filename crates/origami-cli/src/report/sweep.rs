@@ -122,7 +122,7 @@ impl Varied {
 }
 
 /// The columns of sweep.csv: where a row of the JSON has them. Numbers and words of our own, which need no quotes.
-const COLUMNS: [&str; 31] = [
+const COLUMNS: [&str; 32] = [
     "index",
     "ea",
     "k_fold",

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 35] = [
+const KEYS: [&str; 36] = [
     "input",
     "solver",
     "from",

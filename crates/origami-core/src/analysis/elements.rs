@@ -177,11 +177,11 @@ mod tests {
         structure.add_gradient(structure.size(), &mut at, &mut gradient);
         let largest = gradient.iter().map(|g| g.length()).fold(0.0, f64::max);
         let h = 1e-4;
-        for node in 0..structure.nodes.len() {
+        for (node, own) in gradient.iter().enumerate() {
             for axis in DVec3::AXES {
                 let energy = |way: f64| structure.energies(&moved(&structure, &at, node, axis * way)).total();
                 let slope = (energy(h) - energy(-h)) / (2.0 * h);
-                let own = gradient[node].dot(axis);
+                let own = own.dot(axis);
                 assert!((slope - own).abs() < 1e-7 * largest, "node {node}: {own} is not {slope}");
             }
         }
@@ -209,8 +209,9 @@ mod tests {
             for (column, axis) in DVec3::AXES.into_iter().enumerate() {
                 let unbalanced =
                     |way: f64| equations.unbalanced(&mut moved(&structure, &at, node, axis * way), load_factor);
-                for (row, (after, before)) in unbalanced(h).iter().zip(unbalanced(-h)).enumerate() {
-                    *differences[row][node].col_mut(column) = (*after - before) / (2.0 * h);
+                let both = unbalanced(h).into_iter().zip(unbalanced(-h));
+                for (row, (after, before)) in differences.iter_mut().zip(both) {
+                    *row[node].col_mut(column) = (after - before) / (2.0 * h);
                 }
             }
         }

@@ -26,6 +26,8 @@ pub(super) struct Layout<R> {
     pub(super) hinges: Vec<u8>,
     /// By crease.
     pub(super) stiffness: Vec<R>,
+    /// Which one of the model each triangle is; for the filling a number that none has.
+    pub(super) triangles: Vec<u32>,
     /// By chunk of triangles: the three corners.
     pub(super) corners: Vec<u8>,
     /// By chunk of triangles: the block's creases on the sides 0-1, 1-2 and 2-0.
@@ -37,6 +39,8 @@ pub(super) struct Layout<R> {
     /// By chunk of triangles: the product of the two sides at the first corner at rest, the same at the second, and the
     /// doubled area; or numbers in their proportion.
     pub(super) angles: Vec<R>,
+    /// Which of the beams outside any triangle each one is; for the filling a number that none has.
+    pub(super) loose: Vec<u32>,
     /// By chunk of beams outside any triangle: their two ends.
     pub(super) loose_ends: Vec<u8>,
     /// By the same chunks: rest length, stiffness, damping.
@@ -83,11 +87,13 @@ impl<R: Real> Layout<R> {
             block_nodes: Vec::new(),
             hinges: Vec::new(),
             stiffness: Vec::new(),
+            triangles: Vec::new(),
             corners: Vec::new(),
             creases: Vec::new(),
             beams: Vec::new(),
             damping: Vec::new(),
             angles: Vec::new(),
+            loose: Vec::new(),
             loose_ends: Vec::new(),
             loose_beams: Vec::new(),
             counts: Vec::new(),
@@ -121,8 +127,8 @@ impl<R: Real> Layout<R> {
         self.blocks.push(Starts {
             nodes: self.block_nodes.len(),
             creases: self.stiffness.len(),
-            triangles: self.corners.len() / 3,
-            loose: self.loose_ends.len() / 2,
+            triangles: self.triangles.len(),
+            loose: self.loose.len(),
             sums: self.counts.len(),
             summands: self.summands.len(),
             acted_on: 0,
@@ -148,6 +154,7 @@ impl<R: Real> Layout<R> {
 
     fn take_triangles(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
         let count = block.triangles.len().next_multiple_of(width);
+        self.triangles.extend(block.triangles.iter().copied().chain(repeat(u32::MAX)).take(count));
         lay(&mut self.corners, (width, count), block.corners.iter().copied(), [0, 1, 2].map(filling));
         if !model.creases.is_empty() {
             let none = block.creases.len() as u16;
@@ -172,6 +179,7 @@ impl<R: Real> Layout<R> {
 
     fn take_loose_beams(&mut self, model: &Model, springs: &OfTriangles, width: usize, block: &Block) {
         let count = block.loose.len().next_multiple_of(width);
+        self.loose.extend(block.loose.iter().copied().chain(repeat(u32::MAX)).take(count));
         lay(&mut self.loose_ends, (width, count), block.loose_ends.iter().copied(), [0, 1].map(filling));
         let beams = block.loose.iter().map(|b| {
             let side = springs.loose[*b as usize];
@@ -204,18 +212,17 @@ impl<R: Real> Layout<R> {
         let stiffness = |beam: &Beam| softening.map_or(beam.stiffness, |soft| soft.of_beam(model, beam));
         let springs = OfTriangles::new(model);
         let own = |side: u32| R::of(springs.share_of(model, side) * stiffness(&model.beams[side as usize]));
-        let mut blocks = self.blocks.iter();
-        Cutter::new(model, &springs.sides, &springs.loose_ends(model)).cut(|block| {
-            let Some(starts) = blocks.next() else { return };
-            for (triangle, place) in block.triangles.iter().zip(starts.triangles..) {
-                for (i, side) in springs.sides[*triangle as usize].into_iter().enumerate() {
-                    self.beams[at(width, place, (3 + i, 6))] = own(side);
-                }
+        for (place, triangle) in self.triangles.iter().enumerate() {
+            // None for the filling.
+            for (i, side) in springs.sides.get(*triangle as usize).into_iter().flatten().enumerate() {
+                self.beams[at(width, place, (3 + i, 6))] = own(*side);
             }
-            for (loose, place) in block.loose.iter().zip(starts.loose..) {
-                self.loose_beams[at(width, place, (1, 3))] = own(springs.loose[*loose as usize]);
+        }
+        for (place, loose) in self.loose.iter().enumerate() {
+            if let Some(side) = springs.loose.get(*loose as usize) {
+                self.loose_beams[at(width, place, (1, 3))] = own(*side);
             }
-        });
+        }
     }
 
     /// Gives each node a slot in each of its blocks, then each of those `outside`, which are in order, one more.

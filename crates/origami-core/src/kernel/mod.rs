@@ -209,17 +209,18 @@ impl<R: Compute> Kernel<R> {
         self.layout.softening
     }
 
-    /// The creases that softening turns back to flat: those folded to the other side than their targets.
-    pub(crate) fn wrong_sides(&self) -> Vec<CreaseId> {
+    /// Writes the creases that softening turns back to flat: those folded to the other side than their targets.
+    pub(crate) fn read_wrong_sides(&self, wrong: &mut Vec<CreaseId>) {
+        wrong.clear();
         if self.layout.wrong_side == 0.0 {
-            return Vec::new();
+            return;
         }
         let is_wrong = |place: u32| {
             let [angle, target] = [&self.angles, &self.targets].map(|list| list[place as usize].to_f64());
             angle * target < 0.0
         };
         let creases = self.layout.place_of_crease.iter().enumerate();
-        creases.filter(|(_, place)| is_wrong(**place)).map(|(crease, _)| CreaseId::new(crease)).collect()
+        wrong.extend(creases.filter(|(_, place)| is_wrong(**place)).map(|(crease, _)| CreaseId::new(crease)));
     }
 
     /// First passes: fold angles, and forces of all springs, of the damping if `damped`, and from outside. The result is the

@@ -16,6 +16,8 @@ pub(super) struct Minimiser {
     masses: Vec<[f64; 2]>,
     #[cfg_attr(feature = "serde", serde(skip))]
     sums: Vec<f64>,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    way: OnTheWay,
     fire: Fire,
     evaluations: u64,
 }
@@ -23,7 +25,7 @@ pub(super) struct Minimiser {
 impl Minimiser {
     pub(super) fn new(model: &Model) -> Self {
         let (masses, sums) = (vec![[0.0; 2]; model.node_count()], vec![0.0; model.node_count()]);
-        Self { masses, sums, fire: Fire::default(), evaluations: 0 }
+        Self { masses, sums, way: OnTheWay::default(), fire: Fire::default(), evaluations: 0 }
     }
 
     /// The present step, in units of each node's own.
@@ -48,9 +50,10 @@ impl Minimiser {
         if self.evaluations.is_multiple_of(RENEWAL) {
             kernel.read_positions(&mut state.positions);
             self.sums.resize(model.node_count(), 0.0);
-            let way = OnTheWay { softening: kernel.softening(), wrong: kernel.wrong_sides() };
+            self.way.softening = kernel.softening();
+            kernel.read_wrong_sides(&mut self.way.wrong);
             let shared = kernel.shared();
-            all_row_sums(shared, (model, &way, surroundings.forces()), &state.positions, &mut self.sums);
+            all_row_sums(shared, (model, &self.way, surroundings.forces()), &state.positions, &mut self.sums);
             self.masses.clear();
             self.masses.extend(self.sums.iter().map(|mass| [*mass, 1.0 / mass]));
         }

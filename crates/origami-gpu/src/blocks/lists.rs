@@ -1,7 +1,5 @@
 //! What one block needs of the sheet, and how it is written for the shaders.
 
-use std::collections::BTreeMap;
-
 use super::AtNodes;
 use crate::layout::{ALONE, CREASE, Face, OWN, RIGHT};
 use crate::sheet_arrays::SheetArrays;
@@ -157,31 +155,32 @@ type Rest = (i32, f32, f32);
 struct Writer<'a> {
     arrays: &'a SheetArrays,
     lists: &'a Lists,
-    /// Places of the nodes in the block.
-    places: BTreeMap<u32, u32>,
-    rest: BTreeMap<Side, Rest>,
+    /// By side.
+    rest: Vec<Rest>,
 }
 
 impl<'a> Writer<'a> {
     fn new(arrays: &'a SheetArrays, lists: &'a Lists) -> Self {
-        let places = lists.nodes.iter().copied().zip(0..).collect();
-        let rest = lists.faces.iter().flat_map(|f| {
+        let mut rest = vec![(0, 0.0, 0.0); lists.sides.len()];
+        for f in &lists.faces {
             let face = &arrays.faces[*f as usize];
-            [0, 1, 2].map(|i| {
+            for i in 0..3 {
                 let rigidity = arrays.rigidities.get(3 * *f as usize + i).copied().unwrap_or(0.0);
-                (side(face, i), (face.rest_high[i], face.rest_low[i], rigidity))
-            })
-        });
-        Self { arrays, lists, places, rest: rest.collect() }
+                rest[place(&lists.sides, &side(face, i)) as usize] = (face.rest_high[i], face.rest_low[i], rigidity);
+            }
+        }
+        Self { arrays, lists, rest }
     }
 
+    /// Places of the nodes in the block, a byte each.
     fn bytes<const N: usize>(&self, nodes: [u32; N]) -> u32 {
-        nodes.iter().zip(0..).map(|(n, byte)| self.places[n] << (8 * byte)).sum()
+        let (own, others) = self.lists.nodes.split_at(self.lists.own);
+        let place = |n: &u32| own.binary_search(n).unwrap_or_else(|_| own.len() + place(others, n) as usize);
+        nodes.iter().zip(0..).map(|(n, byte)| index(place(n)) << (8 * byte)).sum()
     }
 
     fn sides(&self) -> Vec<u32> {
-        let words = self.lists.sides.iter().flat_map(|side| {
-            let (high, low, _) = self.rest[side];
+        let words = self.lists.sides.iter().zip(&self.rest).flat_map(|(side, (high, low, _))| {
             let hinge = self.arrays.hinges.get(side.0 as usize).filter(|_| side.0 != CREASE);
             let (nodes, kind) = hinge.map_or((0, 0), |hinge| {
                 (self.bytes([hinge.end_one, hinge.end_two, hinge.apex_one, hinge.apex_two]), hinge.kind)
@@ -222,7 +221,7 @@ impl<'a> Writer<'a> {
     }
 
     fn rigidities(&self) -> Vec<u32> {
-        self.lists.sides.iter().map(|side| self.rest[side].2.to_bits()).collect()
+        self.rest.iter().map(|rest| rest.2.to_bits()).collect()
     }
 }
 

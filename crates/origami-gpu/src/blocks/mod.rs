@@ -10,7 +10,10 @@ use crate::sheet_arrays::SheetArrays;
 use lists::Lists;
 
 /// Workgroup memory that every WebGPU device has, in bytes.
-const MEMORY: usize = 16_384;
+pub(crate) const MEMORY: usize = 16_384;
+
+/// Nodes that a byte tells apart.
+const MOST_NODES: usize = 256;
 
 /// Invocations of the workgroup of a block. Not measured on hardware: with these, some twenty words of memory fall to each.
 pub(crate) const INVOCATIONS: u32 = 128;
@@ -34,7 +37,8 @@ impl Room {
     fn of(lists: &Lists) -> Self {
         Self {
             nodes: lists.nodes.len(),
-            creases: lists.creases,
+            // An array of no length is not allowed.
+            creases: lists.creases.max(1),
             slots: (3 * lists.faces.len() + 2 * lists.loose.len()).max(INVOCATIONS as usize),
         }
     }
@@ -50,6 +54,12 @@ impl Room {
     /// Bytes of workgroup memory: a position in two parts, a moment, a force, and whether the sheet goes on.
     pub(crate) fn memory(self) -> usize {
         24 * self.nodes + 4 * self.creases + 12 * self.slots + 4
+    }
+
+    /// The same of a whole sheet with `words` of lists, each node of which has an invocation: a velocity, a fold angle and two
+    /// targets besides, and a sum of four numbers.
+    pub(crate) fn memory_of_whole(self, words: usize, invocations: usize) -> usize {
+        self.memory() + 12 * self.nodes + 12 * self.creases + 4 * words + 16 * invocations
     }
 }
 
@@ -145,6 +155,14 @@ impl Blocks {
         Some(Self::of_lists(arrays, &parts))
     }
 
+    /// The whole sheet as one block; `None` where there are more elements than the widths of indices hold.
+    pub(crate) fn whole(arrays: &SheetArrays) -> Option<Self> {
+        let all = (0..).take(arrays.nodes).collect();
+        // More would not be held: no need to list them.
+        let lists = (arrays.nodes <= MOST_NODES).then(|| Lists::new(arrays, &AtNodes::new(arrays), all))?;
+        fits_indices(&lists).then(|| Self::of_lists(arrays, &[lists]))
+    }
+
     fn of_lists(arrays: &SheetArrays, parts: &[Lists]) -> Self {
         let copies: Vec<u32> = parts.iter().flat_map(Lists::creases).collect();
         Self {
@@ -162,10 +180,11 @@ impl Blocks {
 
 /// Whether a workgroup's memory and the widths of its indices hold a block.
 fn is_held(lists: &Lists) -> bool {
-    Room::of(lists).memory() <= MEMORY
-        && lists.nodes.len() <= 256
-        && lists.sides.len() < 1024
-        && lists.entries() < 65_536
+    Room::of(lists).memory() <= MEMORY && fits_indices(lists)
+}
+
+fn fits_indices(lists: &Lists) -> bool {
+    lists.nodes.len() <= MOST_NODES && lists.sides.len() < 1024 && lists.entries() < 65_536
 }
 
 /// Parts of one that is not held, each half of what it is of.
@@ -183,4 +202,74 @@ fn halved(arrays: &SheetArrays, at_nodes: &AtNodes, own: Vec<u32>, parts: &mut V
         }
     }
     Some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use origami_core::generate::{Fan, miura};
+    use origami_core::{Material, Model};
+
+    use super::*;
+    use crate::testing::{cases, sheets};
+
+    fn arrays(model: &Model) -> SheetArrays {
+        SheetArrays::new(model)
+    }
+
+    fn sheet(side: usize) -> SheetArrays {
+        arrays(&Model::new(&miura(side, side).expect("valid"), &Material::default()).expect("a generated pattern"))
+    }
+
+    /// The header of a block: how many there are of each, and where its lists begin.
+    fn header(blocks: &Blocks, b: usize) -> Vec<usize> {
+        blocks.words[16 * b..16 * (b + 1)].iter().map(|word| *word as usize).collect()
+    }
+
+    #[test]
+    fn every_node_is_the_own_of_one_block_which_has_all_that_pulls_at_it() {
+        let all = cases::cases().into_iter().chain(sheets::special());
+        for arrays in all.map(|case| arrays(&case.model)).chain([sheet(30)]) {
+            let blocks = Blocks::new(&arrays).expect("small enough");
+            let mut owned = BTreeSet::new();
+            for b in 0..blocks.extent.count {
+                let header = header(&blocks, b);
+                let nodes = &blocks.words[header[6]..][..header[1]];
+                let read: BTreeSet<u32> = nodes.iter().copied().collect();
+                assert_eq!(read.len(), nodes.len(), "each is read once");
+                let own: BTreeSet<u32> = nodes[..header[0]].iter().copied().collect();
+                let touched = |nodes: &[u32]| nodes.iter().any(|n| own.contains(n));
+                let faces = arrays.faces.iter().filter(|face| touched(&face.nodes));
+                assert_eq!(faces.count(), header[3]);
+                assert_eq!(arrays.loose_beams.iter().filter(|beam| touched(&beam.nodes)).count(), header[4]);
+                for hinge in &arrays.hinges {
+                    let nodes = [hinge.apex_one, hinge.apex_two, hinge.end_one, hinge.end_two];
+                    assert!(!touched(&nodes) || nodes.iter().all(|n| read.contains(n)), "the whole crease");
+                }
+                assert!(own.iter().all(|n| owned.insert(*n)), "nobody else's");
+            }
+            assert_eq!(owned.len(), arrays.nodes);
+            assert!(blocks.extent.room.memory() <= MEMORY);
+        }
+    }
+
+    #[test]
+    fn what_creases_are_is_found_again_in_their_copies() {
+        let arrays = sheet(30);
+        let copies = Blocks::new(&arrays).expect("small enough").copies;
+        let (creases, values) = (arrays.hinges.len(), (0..arrays.hinges.len()).collect::<Vec<_>>());
+        assert_eq!((copies.creases(), copies.collect(&copies.spread(&values))), (creases, values));
+        assert!(copies.of.len() > creases, "some lie on the border of blocks");
+    }
+
+    #[test]
+    fn a_node_at_which_too_much_pulls_has_no_block() {
+        let fan = |valence| {
+            let pattern = Fan { valence, ..Fan::default() }.pattern().expect("a pattern");
+            arrays(&Model::new(&pattern, &Material::default()).expect("a model"))
+        };
+        assert!(Blocks::new(&fan(100)).is_some());
+        assert!(Blocks::new(&fan(400)).is_none() && Blocks::whole(&fan(400)).is_none());
+    }
 }

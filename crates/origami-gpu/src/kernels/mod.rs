@@ -146,7 +146,7 @@ impl Kernel {
     /// All buffers that it uses.
     pub(crate) fn bindings(&self, variant: &Variant) -> Vec<Binding> {
         let mut bindings = self.uses.to_vec();
-        let in_blocks = self.per == Per::Block;
+        let in_blocks = self.springs && variant.blocks.is_some();
         if self.springs && variant.corners && !in_blocks {
             bindings.push(Binding::Corners);
         }
@@ -171,21 +171,25 @@ impl Kernel {
 /// What the kernels of this folder begin with.
 const SHARED: &[&str] = &[wgsl::CONTROL, wgsl::STATE];
 
-/// The buffers of a workgroup that does all passes of its sheet.
-const WHOLE_SHEET: &[Binding] = &[
-    Binding::Control,
-    Binding::Nodes,
-    Binding::CreaseStates,
-    Binding::Hinges,
-    Binding::Faces,
-    Binding::Slots,
-    Binding::Rows,
-];
+/// The buffers of a workgroup that has its whole sheet.
+const WHOLE_SHEET: &[Binding] =
+    &[Binding::Control, Binding::Nodes, Binding::Windows, Binding::Blocks, Binding::Angles, Binding::Targets];
 
-/// The parts of kernels that work on blocks.
+/// The parts of kernels that work on blocks of a sheet.
 fn in_blocks(variant: &Variant) -> Vec<&'static str> {
+    [springs_of_block(variant), vec![wgsl::BLOCK_WORDS, wgsl::BLOCK_NODES, wgsl::BLOCK_CREASES]].concat()
+}
+
+/// The parts of kernels that have a whole sheet.
+fn whole_sheet(variant: &Variant) -> Vec<&'static str> {
+    let own = vec![wgsl::RAMP, wgsl::SMALL_SHEET, wgsl::ROW_SUMS, wgsl::BLOCK_ROW_SUMS];
+    [springs_of_block(variant), own, vec![wgsl::REDUCE, wgsl::WINDOWS, wgsl::SETTLING]].concat()
+}
+
+/// The springs of a block, wherever it is.
+fn springs_of_block(variant: &Variant) -> Vec<&'static str> {
     let mut parts = vec![variant.material(), wgsl::ANGLE, wgsl::HINGE, wgsl::FACE, wgsl::LOOSE_BEAM];
-    parts.extend([wgsl::BLOCK, wgsl::BLOCK_WORDS, wgsl::BLOCK_NODES, wgsl::BLOCK_ANGLES, wgsl::BLOCK_CREASES]);
+    parts.extend([wgsl::BLOCK, wgsl::BLOCK_ANGLES]);
     parts.extend(match variant.corners {
         true => &[wgsl::CORNER_ANGLES, wgsl::BLOCK_CORNERS][..],
         false => &[wgsl::CORNER_ANGLES_NONE],
@@ -274,13 +278,12 @@ mod tests {
             let plan = Plan::new(variant, true);
             let lists =
                 [plan.forces.as_slice(), plan.settling, plan.row_sums, plan.integration, plan.checkpoint, plan.home];
-            return lists.concat().iter().any(|planned| planned.name == kernel.name);
+            let whole = kernel.springs && kernel.per == Per::Instance;
+            return whole || lists.concat().iter().any(|planned| planned.name == kernel.name);
         }
         let of_blocks =
             kernel.per == Per::Block || [block_clock::KERNEL.name, bring_home::KERNEL.name].contains(&kernel.name);
-        // One-workgroup kernels would need nine buffers for these.
-        let nine = kernel.per == Per::Instance && kernel.springs && (variant.rigidities || variant.loose_beams > 0);
-        !of_blocks && !nine
+        !of_blocks && (kernel.per != Per::Instance || !kernel.springs)
     }
 
     /// Every kernel in every variant that has a text of its own: constants alone do not change it.
@@ -341,7 +344,10 @@ mod tests {
             assert!(missing.is_empty(), "{}: {missing:?} have no value", kernel.name);
             let storage = workgroup_storage(&module, &constants);
             assert!(storage <= WORKGROUP_STORAGE, "{}", kernel.name);
-            let room = variant.blocks.filter(|_| kernel.per == Per::Block).map(|blocks| blocks.room.memory());
+            let room = variant.blocks.filter(|_| kernel.springs).map(|blocks| match kernel.per {
+                Per::Block => blocks.room.memory(),
+                _ => blocks.room.memory_of_whole(variant.small.words, variant.workgroup as usize),
+            });
             assert!(
                 room.is_none_or(|room| storage as usize == room),
                 "{}: {storage} bytes, {room:?} counted",
@@ -381,8 +387,5 @@ mod tests {
         let module = naga::front::wgsl::parse_str(text).expect("valid");
         assert_eq!(without_value(&module, &[("KNOWN", 1.0)]), ["NEW"]);
         assert_eq!(workgroup_storage(&module, &[("KNOWN", 1024.0)]), 16_388);
-        let rigid = variants::of_texts().into_iter().find(|variant| variant.rigidities && variant.corners);
-        let nine = workgroup_relax::KERNEL.bindings(&rigid.expect("there is one"));
-        assert!(nine.len() > STORAGE_BUFFERS, "why it is not built");
     }
 }

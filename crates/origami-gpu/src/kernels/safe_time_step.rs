@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "safe_time_step",
     text: wgsl::SAFE_TIME_STEP,
     shared: SHARED,
-    parts: |_| Vec::new(),
+    parts: |_| vec![wgsl::TIME_STEP],
     uses: &[Binding::Control],
     springs: false,
     per: Per::Instance,

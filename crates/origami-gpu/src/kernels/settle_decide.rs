@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "settle_decide",
     text: wgsl::SETTLE_DECIDE,
     shared: SHARED,
-    parts: |_| vec![wgsl::REDUCE, wgsl::PARTIALS, wgsl::WINDOWS],
+    parts: |_| vec![wgsl::REDUCE, wgsl::PARTIALS, wgsl::WINDOWS, wgsl::SETTLING],
     uses: &[Binding::Control, Binding::Partials],
     springs: false,
     per: Per::Instance,

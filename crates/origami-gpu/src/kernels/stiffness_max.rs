@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "stiffness_max",
     text: wgsl::STIFFNESS_MAX,
     shared: SHARED,
-    parts: gather,
+    parts: |variant| [gather(variant), vec![wgsl::TIME_STEP]].concat(),
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows],
     springs: false,
     per: Per::Node,

@@ -2,7 +2,7 @@
 
 use origami_shaders as wgsl;
 
-use super::{Kernel, Per, SHARED, WHOLE_SHEET, springs};
+use super::{Kernel, Per, SHARED, WHOLE_SHEET, whole_sheet};
 
 /// The kernel of `workgroup_dynamics.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
@@ -10,11 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "workgroup_dynamics",
     text: wgsl::WORKGROUP_DYNAMICS,
     shared: SHARED,
-    parts: |variant| {
-        let mut parts = springs(variant);
-        parts.extend([wgsl::FOLD_ANGLES, wgsl::TRIANGLE_FORCES, wgsl::CLOCK, wgsl::GATHER, wgsl::MOTION]);
-        parts
-    },
+    parts: |variant| [whole_sheet(variant), vec![wgsl::MOTION, wgsl::TIME_STEP]].concat(),
     uses: WHOLE_SHEET,
     springs: true,
     per: Per::Instance,

@@ -2,7 +2,7 @@
 
 use origami_shaders as wgsl;
 
-use super::{Kernel, Per, SHARED, WHOLE_SHEET, springs};
+use super::{Kernel, Per, SHARED, WHOLE_SHEET, whole_sheet};
 
 /// The kernel of `workgroup_relax.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
@@ -10,20 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "workgroup_relax",
     text: wgsl::WORKGROUP_RELAX,
     shared: SHARED,
-    parts: |variant| {
-        let mut parts = springs(variant);
-        let passes = [
-            wgsl::FOLD_ANGLES,
-            wgsl::TRIANGLE_FORCES,
-            wgsl::CLOCK,
-            wgsl::ROW_SUMS,
-            wgsl::GATHER,
-            wgsl::REDUCE,
-            wgsl::FIRE,
-        ];
-        parts.extend(passes);
-        parts
-    },
+    parts: |variant| [whole_sheet(variant), vec![wgsl::FIRE]].concat(),
     uses: WHOLE_SHEET,
     springs: true,
     per: Per::Instance,

@@ -3,7 +3,7 @@
 use origami_core::Material;
 
 use crate::blocks::{Extent, Room};
-use crate::variant::{Scheme, Variant};
+use crate::variant::{Scheme, Small, Variant};
 
 /// A relaxation with everything that a plain sheet has.
 pub(crate) fn plain() -> Variant {
@@ -21,7 +21,7 @@ pub(crate) fn plain() -> Variant {
         loads: false,
         blocks: None,
         workgroup: 64,
-        steps: 1,
+        small: Small { steps: 20, words: 900, renewal: 10 },
     }
 }
 

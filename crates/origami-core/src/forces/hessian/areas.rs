@@ -1,6 +1,6 @@
 //! Areas: the second derivatives of `D = |N|`, twice a triangle's area, with `N = (b - a) x (c - a)`.
 //!
-//! Moving a by x changes N by `(c - b) x x`, and moving b by y as well by `x x y` beyond that. With n = N / D and J_a the
+//! Moving a by x changes N by `(c - b) x x`, and moving b by y as well by `x x y` beyond that. With n = N / D and `J_a` the
 //! matrix of the cross product with the side opposite to a that is
 //!
 //! ```text

@@ -64,7 +64,8 @@ pub struct Relax {
     /// end higher.
     pub perturbation: f64,
     /// How much may go into the search for a way down once the sheet has settled: products with the Hessian as a share of
-    /// the evaluations so far. Larger: flatter saddles are found; 0: none is sought. GPUs seek none. Default 0.1.
+    /// the evaluations so far. Larger: flatter saddles are found; 0: none is sought. Not of sheets without strain, which have
+    /// none, nor of more than 10 000 nodes, nor on GPUs. Default 0.1.
     pub saddle_search: f64,
     /// How much softer than its material the sheet of a pattern that is folded flat is while the target angles rise from rest.
     /// A jump and a way that begins elsewhere are not softened, nor is a sheet under loads or forces of one's own. `None`: as stiff as its material all

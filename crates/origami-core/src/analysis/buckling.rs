@@ -80,10 +80,10 @@ impl Structure {
             }
             // A little beside it there are factors.
             negative_at(&mut tangent, high * (1.0 + 1e3 * SHARP));
-            let near = tangent.nearest_to_zero(wanted).into_iter();
+            let mut near = tangent.nearest_to_zero(wanted).into_iter();
             // Of several that vanish together each in its turn.
             let same = found.iter().filter(|own| (own.load_factor / high - 1.0).abs() < 1e-9).count();
-            let Some((_, row)) = near.skip(same).next() else { return Ok(found) };
+            let Some((_, row)) = near.nth(same) else { return Ok(found) };
             let mut shape = tangent.equations.rows.scatter(&row);
             let farthest = shape.iter().map(|s| s.length()).fold(f64::MIN_POSITIVE, f64::max);
             shape.iter_mut().for_each(|s| *s /= farthest);

@@ -99,7 +99,8 @@ impl Structure {
                     Refused::at(format!("{place}.members"), format!("member {i}"), "a hinge or bar of the structure")
                 })?;
             }
-            if members.indices().is_empty() || !(bounds[0] <= bounds[1]) {
+            let in_order = bounds[0] <= bounds[1];
+            if members.indices().is_empty() || !in_order {
                 let problem = format!("{} members between {} and {}", members.indices().len(), bounds[0], bounds[1]);
                 return Err(Refused::at(place, problem, "one or more, and bounds in order"));
             }

@@ -34,13 +34,16 @@ pub(super) struct Minimum {
     pub(super) evaluations: u32,
 }
 
+/// A value with its gradient.
+pub(super) type Slope = (f64, Vec<f64>);
+
 /// From `at` downhill. `evaluate` gives value and gradient, none where the function is not defined; `bounds` are the least and
 /// the largest of each unknown. None where the function is not defined at the start.
 pub(super) fn minimise(
     at: Vec<f64>,
     bounds: &[[f64; 2]],
     effort: &Effort,
-    evaluate: &mut dyn FnMut(&[f64]) -> Option<(f64, Vec<f64>)>,
+    evaluate: &mut dyn FnMut(&[f64]) -> Option<Slope>,
 ) -> Option<Minimum> {
     let count = at.len();
     let within = |x: &mut [f64]| x.iter_mut().zip(bounds).for_each(|(x, [low, high])| *x = x.clamp(*low, *high));

@@ -144,7 +144,10 @@ mod tests {
             ("fold a.fold -o b --frames 0", "--frames 0: expected a whole number from 1 to 100000"),
             ("fold a.fold -o b --steps 1.5", "--steps 1.5: expected a whole number of at least 0"),
             ("fold a.fold -o b --percent", "--percent <P>: no value is given; expected one"),
-            ("fold a.fold -o b --solver", "--solver <SOLVER>: no value is given; expected relax, dynamics, newton or reflect"),
+            (
+                "fold a.fold -o b --solver",
+                "--solver <SOLVER>: no value is given; expected relax, dynamics, newton or reflect",
+            ),
             ("fold", "missing: <INPUT>..., --output <OUT>; expected origami fold [OPTIONS] <INPUT>... -o <OUT>"),
             (
                 "fold a.fold -o b --strain --map energy",

@@ -37,7 +37,7 @@ fn symmetric_sheets_leave_their_saddles() {
     let mut left = 0;
     for (name, percent) in [("curved-pleat", 60.0), ("curved-pleat", 100.0), ("fan", 60.0), ("fan", 100.0)] {
         let model = made(name);
-        let symmetric = fold(&model, &Relax { perturbation: 0.0, ..Relax::default() }, percent);
+        let symmetric = fold(&model, &Relax { perturbation: 0.0, saddle_search: 0.0, ..Relax::default() }, percent);
         let perturbed = fold(&model, &Relax::default(), percent);
         let [symmetric, perturbed] = [symmetric, perturbed].map(|folded| folded.state.energy(&model).total());
         assert!(perturbed < 1.000_001 * symmetric, "{name} at {percent} %: {perturbed} is above {symmetric}");
@@ -119,7 +119,10 @@ fn a_tangled_state_is_folded_again_and_the_lower_energy_kept() {
     assert!(again.state.energy(&model).total() < once.state.energy(&model).total());
     let soft = fold(&model, &Relax::default(), 100.0);
     assert!(soft.attempts == 1 && soft.state.lost_creases() == 0);
-    assert!(soft.state.energy(&model).total() <= 1.001 * again.state.energy(&model).total());
+    assert!(
+        soft.state.energy(&model).total() <= 1.001 * again.state.energy(&model).total() + 1e-6,
+        "both flat, or softly lower"
+    );
 }
 
 #[test]

@@ -115,7 +115,7 @@ fn saddles_are_recognised_and_left() {
     for (name, percent) in [("fan", 60.0), ("fan", 100.0), ("curved-pleat", 60.0), ("curved-pleat", 100.0)] {
         let model = made(name);
         // Exactly symmetric: rounding alone would have to choose between the ways to buckle.
-        let symmetric = Relax { perturbation: 0.0, max_steps: 2000, ..Relax::default() };
+        let symmetric = Relax { perturbation: 0.0, saddle_search: 0.0, max_steps: 2000, ..Relax::default() };
         let saddle = fold(&model, &symmetric, percent).state;
         let exact = Newton::default().refine(&model, &saddle).expect("fits into memory");
         assert!(exact.converged && exact.stability.is_some_and(|s| s.negative == 0), "{name} at {percent} %");

@@ -26,7 +26,8 @@ fn six_patterns_look_as_on_the_processor() {
 fn layers_have_their_order_from_everywhere() {
     let Some(renderer) = renderer() else { return };
     let figure = figure("bird-base", 100.0);
-    for (azimuth, elevation) in [(-60.0, 10.0), (120.0, 10.0), (0.0, 90.0), (0.0, -90.0)] {
+    // Not along the sheet, of which lines on lines would be left.
+    for (azimuth, elevation) in [(-60.0, 10.0), (120.0, 10.0), (0.0, 75.0), (0.0, -75.0)] {
         let picture = Picture { camera: Camera { azimuth, elevation, ..Camera::default() }, ..small() };
         let name = format!("bird-base-from-{azimuth}-{elevation}");
         check(&name, &renderer.draw(&picture, &figure).unwrap(), &Processor.draw(&picture, &figure).unwrap());

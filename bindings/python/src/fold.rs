@@ -41,6 +41,7 @@ pub(crate) fn fold(
     let scene = scene(sheet, self::targets(sheet, percent, targets.as_ref())?, supports, loads)?;
     let hold = self::hold(sheet, hold, &scene)?;
     let start = start.map(|folded| folded.get().start_of(sheet)).transpose()?;
+    let from = if start.is_some() { "state" } else { "rest" };
     let mut watch = Watch::new(progress);
     let begun = Instant::now();
     let folded = py.detach(|| {
@@ -56,7 +57,8 @@ pub(crate) fn fold(
     });
     watch.finish()?;
     let folded = folded.map_err(|error| failed(sheet, &error))?;
-    let run = Run::new(&computer, sheet, &scene, hold, begun.elapsed().as_secs_f64());
+    let mut run = Run::new(&computer, sheet, &scene, hold, begun.elapsed().as_secs_f64());
+    from.clone_into(&mut run.from);
     Ok(Folded::new(model.clone().unbind(), folded, run))
 }
 

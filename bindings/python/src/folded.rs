@@ -192,7 +192,7 @@ impl Folded {
         PyArray1::from_vec(py, self.by_vertex(&strains))
     }
 
-    /// Energy by kind of spring: {beams, creases, corner_angles, total}, in the model's unit.
+    /// Energy by kind of spring: {beams, creases, corner_angles, areas, total}, in the model's unit.
     #[getter]
     fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let energy = self.folded.state.energy(&self.sheet().model);
@@ -200,6 +200,7 @@ impl Folded {
             "beams": energy.beams,
             "creases": energy.creases,
             "corner_angles": energy.corner_angles,
+            "areas": energy.areas,
             "total": energy.total(),
         });
         Ok(pythonize(py, &parts)?)

@@ -22,7 +22,10 @@ pub(crate) fn report(sheet: &Sheet, folded: &Folded, run: &Run) -> Value {
     let mut report = json!({
         "input": sheet.input,
         "solver": run.solver,
+        "from": run.from,
         "backend": if run.adapter.is_some() { "gpu" } else { "cpu" },
+        // Nothing is chosen here.
+        "backend_by": "asked",
         "adapter": run.adapter,
         "vertices": model.node_count(),
         "beams": model.beams.len(),
@@ -63,6 +66,7 @@ pub(crate) fn measured(sheet: &Sheet, folded: &Folded) -> Map<String, Value> {
         "converged": folded.converged(),
         "stop": ending(folded.stop),
         "attempts": folded.attempts,
+        "saddles": folded.saddles,
         "residual": folded.residual,
         "distance": folded.distance,
         "strain": statistics(strain.beams),
@@ -71,6 +75,7 @@ pub(crate) fn measured(sheet: &Sheet, folded: &Folded) -> Map<String, Value> {
             "beams": energy.beams,
             "creases": energy.creases,
             "corner_angles": energy.corner_angles,
+            "areas": energy.areas,
             "total": energy.total(),
         },
         "angle_error_deg": {"mean": angles.mean, "max": angles.max},

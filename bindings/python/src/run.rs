@@ -13,6 +13,8 @@ use crate::model::Sheet;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Run {
     pub(crate) solver: String,
+    /// Where it began: `rest`, or another `state`.
+    pub(crate) from: String,
     pub(crate) precision: String,
     pub(crate) tolerance: f64,
     pub(crate) adapter: Option<Adapter>,
@@ -58,6 +60,7 @@ impl Run {
         built.extend(acting.iter().filter(|(_, count)| *count > 0).map(|(what, count)| ((*what).to_owned(), *count)));
         let left_out = inventory.left_out.iter();
         Self {
+            from: "rest".to_owned(),
             solver: computer.method.name().to_owned(),
             precision: if computer.adapter.is_some() { "f32" } else { computer.method.precision() }.to_owned(),
             tolerance: computer.method.tolerance(),

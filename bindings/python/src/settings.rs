@@ -111,9 +111,9 @@ fn relax(settings: &Bound<'_, PyAny>) -> PyResult<Relax> {
         retry: setting(settings, "retry")?,
         softening: softening(&settings.getattr("softening")?)?,
         perturbation: share(settings, "perturbation")?,
+        saddle_search: at_least_zero(settings, "saddle_search")?,
         precision: precision(settings)?,
         threads: threads(settings)?,
-        ..Relax::default()
     })
 }
 

@@ -14,7 +14,7 @@ use pythonize::{depythonize, pythonize};
 
 use crate::arrays::{Numbers, rows, vectors};
 use crate::backend::Computer;
-use crate::errors::{refused, refused_as};
+use crate::errors::refused;
 use crate::failures::failed;
 use crate::folded::{Folded, Reactions, reactions};
 use crate::model::{Model, model_of};
@@ -312,7 +312,9 @@ pub(crate) fn resume(
         Method::Relax(relax) => origami::Simulation::restore(own, relax, &scene, &saved).map(Moved::Relax),
         Method::Dynamics(dynamics) => origami::Simulation::restore(own, dynamics, &scene, &saved).map(Moved::Dynamics),
         #[cfg(feature = "newton")]
-        Method::Newton(_) => return Err(refused_as("solver: Newton takes no steps; expected Relax or Dynamics")),
+        Method::Newton(_) => {
+            return Err(crate::errors::refused_as("solver: Newton takes no steps; expected Relax or Dynamics"));
+        }
     };
     let inner = inner.map_err(|error| failed(sheet, &error))?;
     let mut simulation = Simulation {

@@ -22,7 +22,7 @@ enum Kind {
 }
 
 /// The columns, with what they hold; `docs/REPORT.md` says what they mean.
-const COLUMNS: [(&str, Kind); 31] = [
+const COLUMNS: [(&str, Kind); 32] = [
     ("index", Kind::Whole),
     ("ea", Kind::Number),
     ("k_fold", Kind::Number),
@@ -45,6 +45,7 @@ const COLUMNS: [(&str, Kind); 31] = [
     ("energy_beams", Kind::Number),
     ("energy_creases", Kind::Number),
     ("energy_corner_angles", Kind::Number),
+    ("energy_areas", Kind::Number),
     ("energy_total", Kind::Number),
     ("angle_error_deg_mean", Kind::Number),
     ("angle_error_deg_max", Kind::Number),
@@ -98,10 +99,10 @@ pub(crate) fn line(row: &Row<'_>, folded: Result<Folded, Failed>) -> String {
 }
 
 /// Where the measures end.
-const MEASURED_TO: usize = 26;
+const MEASURED_TO: usize = 27;
 
 /// From `strain_mean` to `tangled_creases`.
-fn measures(model: &Model, folded: &Folded) -> [Value; 11] {
+fn measures(model: &Model, folded: &Folded) -> [Value; 12] {
     let Strain { beams, nodes, .. } = Strain::of(model, &folded.state.positions);
     let energy = folded.state.energy(model);
     let angles = angle_error(&folded.state);
@@ -113,6 +114,7 @@ fn measures(model: &Model, folded: &Folded) -> [Value; 11] {
         energy.beams.into(),
         energy.creases.into(),
         energy.corner_angles.into(),
+        energy.areas.into(),
         energy.total().into(),
         angles.mean.into(),
         angles.max.into(),

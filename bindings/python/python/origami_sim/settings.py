@@ -97,6 +97,8 @@ class Relax(_Solver):
     softening: how soft the sheet is on the way. None: as stiff as its material.
     perturbation: how far each vertex is moved at the start, as a share of its shortest beam, from 0 to 1. Larger:
         saddles are left sooner; 0: none.
+    saddle_search: products with the stiffness that look for a way down from where the sheet has settled, as a share of the
+        steps before. More: saddles are found more often; 0: none.
     precision: the numbers in which the processor computes: `f64`, or `mixed` for speed with a tolerance of 1e-6 or more.
     threads: threads that share the steps of a large sheet. None: as many as there are processors.
     """
@@ -110,6 +112,7 @@ class Relax(_Solver):
     retry: bool = True
     softening: Softening | None = Softening()
     perturbation: float = 1e-2
+    saddle_search: float = 0.1
     precision: Literal["f64", "mixed"] = "f64"
     threads: int | None = None
 

@@ -67,7 +67,7 @@ def test_processes_make_no_difference(bird, table):
 def test_a_table_is_what_pandas_takes(table):
     pandas = pytest.importorskip("pandas")
     frame = pandas.DataFrame(table)
-    assert frame.shape == (COUNT, 31) and frame.groupby("percent").size().eq(4).all()
+    assert frame.shape == (COUNT, 32) and frame.groupby("percent").size().eq(4).all()
 
 
 class Unsteady(Executor):

@@ -15,6 +15,11 @@ pub struct Column {
     pub meaning: &'static str,
 }
 
+/// A column with these: its key, head and meaning.
+pub(crate) const fn column(key: &'static str, head: &'static str, meaning: &'static str) -> Column {
+    Column { key, head, meaning }
+}
+
 /// A value in a table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {

@@ -68,8 +68,8 @@ pub struct Relax {
     /// none, nor of more than 10 000 nodes, nor on GPUs. Default 0.1.
     pub saddle_search: f64,
     /// How much softer than its material the sheet of a pattern that is folded flat is while the target angles rise from rest.
-    /// A jump and a way that begins elsewhere are not softened, nor is a sheet under loads or forces of one's own. `None`: as stiff as its material all
-    /// the way. Default: [`Softening::default`].
+    /// A jump and a way that begins elsewhere are not softened, nor is a sheet under loads or forces of one's own. `None`: as
+    /// stiff as its material all the way. Default: [`Softening::default`].
     pub softening: Option<Softening>,
     /// The numbers in which the processor computes: [`Precision::Mixed`] for speed, where a tolerance of 1e-6 or more will
     /// do. GPUs have numbers of their own. Default f64.

@@ -2,17 +2,13 @@
 
 use super::row::{CLOSED, End, Found, Missing, NEAR, PART, Row, Way};
 use crate::plot::{Axis, Mark, Plot, Scale, Series};
-use crate::table::{Cell, Column, Table};
+use crate::table::{Cell, Column, Table, column};
 use crate::{Part, Study};
 
 /// Energies within this share of each other are of one state.
 const SAME_ENERGY: f64 = 0.01;
 /// The largest sizes of the classes, in vertices; the last class is above.
 const CLASSES: [usize; 4] = [150, 400, 1000, 2600];
-
-const fn column(key: &'static str, head: &'static str, meaning: &'static str) -> Column {
-    Column { key, head, meaning }
-}
 
 /// The study of what was run.
 pub(super) fn study(rows: &[Row]) -> Study {

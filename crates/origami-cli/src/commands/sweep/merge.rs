@@ -11,6 +11,7 @@ use serde::Deserialize;
 use serde_json::{Map, Value};
 
 use super::folder::{self, is_of_part};
+use super::resume::difference;
 use super::summary::Counts;
 use crate::args::MergeArgs;
 use crate::console;
@@ -94,23 +95,12 @@ impl Part {
 
     /// Parts may have been folded from copies of a file.
     fn was_made_as(&self, other: &Self) -> Result<(), String> {
-        let settings = |part: &Self, key: &str| part.table.head.get("settings").and_then(|all| all.get(key)).cloned();
-        let of_settings = self.table.head.get("settings").and_then(Value::as_object);
-        let keys = of_settings.into_iter().flat_map(Map::keys);
-        let of_settings = keys.map(|key| (key, settings(self, key), settings(other, key)));
-        let top = self.table.head.iter().filter(|(key, _)| *key != "input" && *key != "settings");
-        let top = top.map(|(key, value)| (key, Some(value.clone()), other.table.head.get(key).cloned()));
-        match top.chain(of_settings).find(|(_, own, others)| own != others) {
+        match difference(&other.table.head, &self.table.head) {
             None => Ok(()),
-            Some((key, own, others)) => {
-                let shown =
-                    |value: Option<Value>| value.map_or_else(|| "nothing".to_owned(), |value| value.to_string());
-                let (own, others) = (shown(own), shown(others));
-                Err(format!(
-                    "{}: was made with {key} {own}, {} with {others}; expected parts of one sweep",
-                    self.shown, other.shown
-                ))
-            }
+            Some((key, others, own)) => Err(format!(
+                "{}: was made with {key} {own}, {} with {others}; expected parts of one sweep",
+                self.shown, other.shown
+            )),
         }
     }
 }

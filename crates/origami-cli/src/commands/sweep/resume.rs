@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::report::{Head, Row};
 
@@ -23,8 +23,10 @@ pub(super) fn rows(path: &Path, head: &Head, places: Range<usize>) -> Result<Vec
         Err(error) => return Err(format!("{shown}: {error}")),
     };
     let expected = "expected the table of a sweep, or none of --resume";
-    let table: Value = serde_json::from_slice(&bytes).map_err(|error| format!("{shown}: {error}; {expected}"))?;
+    let table: Map<String, Value> =
+        serde_json::from_slice(&bytes).map_err(|error| format!("{shown}: {error}; {expected}"))?;
     let now = serde_json::to_value(head).map_err(|error| error.to_string())?;
+    let now = now.as_object().cloned().unwrap_or_default();
     if let Some((setting, before, now)) = difference(&table, &now) {
         return Err(format!(
             "{shown}: was made with {setting} {before}, not {now}; expected the same settings and pattern, or none of --resume"
@@ -49,10 +51,10 @@ pub(super) fn rows(path: &Path, head: &Head, places: Range<usize>) -> Result<Vec
 
 /// The first setting that is not the same, with both values. The input may have another name, and what computes may have been
 /// chosen in another way.
-fn difference(table: &Value, now: &Value) -> Option<(String, String, String)> {
-    let settings = |value: &Value| value.get("settings").and_then(Value::as_object).cloned().unwrap_or_default();
-    let top = now.as_object().cloned().unwrap_or_default();
-    let top = top.into_iter().filter(|(key, _)| !["input", "settings", "backend_by"].contains(&key.as_str()));
+pub(super) fn difference(table: &Map<String, Value>, now: &Map<String, Value>) -> Option<(String, String, String)> {
+    let settings =
+        |head: &Map<String, Value>| head.get("settings").and_then(Value::as_object).cloned().unwrap_or_default();
+    let top = now.clone().into_iter().filter(|(key, _)| !["input", "settings", "backend_by"].contains(&key.as_str()));
     let before = settings(table);
     let of_top = top.map(|(key, value)| (table.get(&key).cloned(), key, value));
     let of_settings = settings(now).into_iter().map(|(key, value)| (before.get(&key).cloned(), key, value));

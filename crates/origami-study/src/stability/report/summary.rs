@@ -4,15 +4,11 @@ use crate::stability::cases::Size;
 use crate::stability::found::{Found, Limit, Relaxed};
 use crate::stability::motion::Outcome;
 use crate::stability::row::{CaseResult, Row};
-use crate::table::{Cell, Column, Table};
+use crate::table::{Cell, Column, Table, column};
 
 /// The bound is to lie between these shares of the largest step that holds.
 pub(super) const LEAST: f64 = 0.4;
 pub(super) const MOST: f64 = 1.0;
-
-const fn column(key: &'static str, head: &'static str, meaning: &'static str) -> Column {
-    Column { key, head, meaning }
-}
 
 const COLUMNS: &[Column] = &[
     column("family", "family", "rows of one family vary one thing"),

@@ -5,11 +5,7 @@ use origami_core::solve::Stop;
 
 use crate::stability::found::{Found, Limit, Relaxed};
 use crate::stability::row::{CaseResult, Row};
-use crate::table::{Cell, Column, Table};
-
-const fn column(key: &'static str, head: &'static str, meaning: &'static str) -> Column {
-    Column { key, head, meaning }
-}
+use crate::table::{Cell, Column, Table, column};
 
 const COLUMNS: &[Column] = &[
     column("family", "family", "rows of one family vary one thing"),

@@ -13,7 +13,7 @@ from distributed import Client, LocalCluster
 
 import origami_sim as origami
 
-ROUNDS = 3
+ROUNDS = 5
 
 
 def seconds(call):

@@ -24,6 +24,13 @@ pub(crate) fn rows<T: Element, const N: usize>(py: Python<'_>, rows: Vec<[T; N]>
     PyArray1::from_vec(py, rows.into_flattened()).reshape([count, N])
 }
 
+/// Numbers of several things in turn, of shape (things, `columns`).
+#[cfg(feature = "analysis")]
+pub(crate) fn table(py: Python<'_>, numbers: Vec<f64>, columns: usize) -> PyResult<Bound<'_, PyArray2<f64>>> {
+    let rows = numbers.len().checked_div(columns).unwrap_or(0);
+    PyArray1::from_vec(py, numbers).reshape([rows, columns])
+}
+
 /// Angles in degrees; where there is none, NaN.
 pub(crate) fn degrees(py: Python<'_>, radians: impl Iterator<Item = Option<f64>>) -> Bound<'_, PyArray1<f64>> {
     PyArray1::from_vec(py, radians.map(|angle| angle.map_or(f64::NAN, f64::to_degrees)).collect())

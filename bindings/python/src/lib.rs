@@ -9,6 +9,8 @@
 )]
 
 mod adapter;
+#[cfg(feature = "analysis")]
+mod analysis;
 mod arrays;
 mod backend;
 mod errors;
@@ -31,6 +33,8 @@ mod scene;
 mod settings;
 mod simulation;
 mod source;
+#[cfg(feature = "analysis")]
+mod structure;
 mod table;
 mod watch;
 
@@ -56,6 +60,9 @@ mod _native {
     use crate::settings::defaults;
     #[pymodule_export]
     use crate::simulation::{Simulation, resume};
+    #[cfg(feature = "analysis")]
+    #[pymodule_export]
+    use crate::structure::{Configuration, Structure};
     #[pymodule_export]
     use crate::table::{columns, header};
 
@@ -65,6 +72,7 @@ mod _native {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         let features = [
+            ("analysis", cfg!(feature = "analysis")),
             ("formats", cfg!(feature = "formats")),
             ("gpu", cfg!(feature = "gpu")),
             ("newton", cfg!(feature = "newton")),

@@ -21,7 +21,7 @@ use crate::source::Read;
 #[pyclass(frozen, module = "origami_sim._native", weakref)]
 pub(crate) struct Model {
     pub(crate) sheet: Sheet,
-    pattern: Py<Pattern>,
+    pub(crate) pattern: Py<Pattern>,
     material: Py<PyAny>,
 }
 

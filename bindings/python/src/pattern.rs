@@ -47,6 +47,16 @@ impl Pattern {
         &self.read.pattern
     }
 
+    /// The frame of a FOLD file that it was made of, read anew: what analysis asks stands there, and nothing else needs it.
+    #[cfg(feature = "analysis")]
+    pub(crate) fn frame(&self) -> Result<Frame, Error> {
+        let (document, frame) = match &*self.origin {
+            Origin::File(source) => (Cow::Owned(source.document()?), source.options.frame),
+            Origin::Made(document) => (Cow::Borrowed(&**document), None),
+        };
+        document.frame(frame.map_or_else(|| document.pattern_frame(), Ok)?)
+    }
+
     /// The file that it was read from.
     pub(crate) fn input(&self) -> Option<String> {
         match &*self.origin {

@@ -50,7 +50,7 @@ impl Source {
     }
 
     #[cfg(feature = "formats")]
-    fn document(&self) -> Result<Document, Error> {
+    pub(crate) fn document(&self) -> Result<Document, Error> {
         let Options { letters, curve_tolerance, .. } = &self.options;
         let mut options = origami::formats::Options::default();
         if let Some(letters) = letters {
@@ -61,7 +61,7 @@ impl Source {
     }
 
     #[cfg(not(feature = "formats"))]
-    fn document(&self) -> Result<Document, Error> {
+    pub(crate) fn document(&self) -> Result<Document, Error> {
         if self.options.letters.is_some() || self.options.curve_tolerance.is_some() {
             let problem = "this build has no feature `formats`";
             return Err(Error::invalid("letters and curve_tolerance", problem, "neither of them"));

@@ -38,6 +38,12 @@ impl Watch {
         })
     }
 
+    /// What the follower of a path tells: the number of a point, and its load factor.
+    #[cfg(feature = "analysis")]
+    pub(crate) fn point(&mut self, number: u64, load_factor: f64) -> ControlFlow<()> {
+        self.ask(|py, watcher| watcher.call1(py, (number, load_factor)).map(|_| ()))
+    }
+
     /// The same where there is nothing to be told.
     pub(crate) fn ask_python(&mut self) -> ControlFlow<()> {
         self.ask(|_, _| Ok(()))

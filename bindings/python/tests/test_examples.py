@@ -44,6 +44,11 @@ def test_a_design_is_found(tmp_path):
     assert "gamma" in run("optimise.py", folder=tmp_path)
 
 
+def test_a_design_is_found_by_gradients(tmp_path):
+    needs("scipy", feature="analysis")
+    assert "radii from the saddle" in run("inverse_design.py", folder=tmp_path)
+
+
 @pytest.mark.parametrize(
     ("name", "module", "output"), [("to_trimesh.py", "trimesh", "bird.ply"), ("to_meshio.py", "meshio", "bird.vtu")]
 )

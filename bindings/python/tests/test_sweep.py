@@ -64,6 +64,16 @@ def test_processes_make_no_difference(bird, table):
         same(origami.sweep(bird, PERCENTS, client=pool, batch_seconds=0.02, **GRID), table)
 
 
+def test_parquet_keeps_every_bit(table, tmp_path):
+    polars = pytest.importorskip("polars")
+    frame = polars.DataFrame(table)
+    frame.write_parquet(tmp_path / "rows.parquet")
+    again = polars.read_parquet(tmp_path / "rows.parquet")
+    assert again.columns == list(table)
+    for name, column in table.items():
+        np.testing.assert_array_equal(again[name].to_numpy(), column)
+
+
 def test_a_table_is_what_pandas_takes(table):
     pandas = pytest.importorskip("pandas")
     frame = pandas.DataFrame(table)
@@ -123,7 +133,7 @@ def test_batches_are_adaptive():
     while batches:
         counts.append(batches.take(2).count)
     assert sum(counts) == 1000 - 101 and counts[0] == 100
-    assert max(counts[-5:]) <= 10, "nobody waits long for the last"
+    assert max(counts[-5:]) <= 100 / 8 + 1, "nobody waits long for the last"
     holes = Batches([3, 3], [(1, 4), (5, 6)], 1.0)
     found = []
     while holes:

@@ -8,7 +8,7 @@ True
 `Pattern` is what a file says, `Model` the triangulated sheet with its springs, made of a pattern and a `Material`.
 `relax` goes straight to the folded state, `dynamics` through the motion, `newton` to the equilibrium itself; each
 returns a `Folded`. A `Simulation` can be stepped and steered. `sweep` folds a pattern in many ways, on one machine or on
-many.
+many. A `Structure` is held, loaded and followed through snap-through, and has gradients.
 
 Units: positions and places are in the pattern's unit of length, angles by edge in degrees as in FOLD files, angles by
 crease in radians. Forces, energies and distances from the equilibrium are those of a sheet scaled to radius 1.
@@ -21,6 +21,8 @@ from .settings import Dynamics, Material, Newton, Relax, Softening
 from .solve import dynamics, newton, relax
 from .sweeps import sweep
 
+if "analysis" in features:
+    from .analysis import Configuration, Structure
 if "gpu" in features:
     from ._native import Gpu, adapters
 
@@ -49,5 +51,7 @@ __all__ = [
     "relax",
     "sweep",
 ]
+if "analysis" in features:
+    __all__ += ["Configuration", "Structure"]
 if "gpu" in features:
     __all__ += ["Gpu", "adapters"]

@@ -58,7 +58,7 @@ class Batches:
             return 1
         whole = self._seconds * count / max(seconds, 1e-9)
         # Smaller ones at the end, but none so small that sending it takes longer than folding it.
-        return max(1, int(min(whole, max(whole / 10, self._count / (3 * workers)))))
+        return max(1, int(min(whole, max(whole / 8, self._count / (2 * workers)))))
 
 
 def _by_plan(sizes, missing):

@@ -9,10 +9,11 @@ _plans = {}
 
 
 def fold(plan, first, count, stop=None):
-    """The rows of some sheets of a plan, and how many seconds they took."""
+    """The rows of some sheets of a plan, as one text, and how many seconds they took."""
     begun = time.perf_counter()
     lines = plan.rows(first, count, stop)
-    return lines, time.perf_counter() - begun
+    # One text costs who sends it and who takes it less than many.
+    return "".join(lines), time.perf_counter() - begun
 
 
 def fold_sent(key, pickled, first, count):

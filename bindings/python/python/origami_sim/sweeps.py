@@ -101,9 +101,9 @@ def _run(crew, batches, rows, retries, progress):
             if answer is None:
                 flying[crew.submit(part, with_plan=True)] = part
                 continue
-            lines, seconds = answer
+            text, seconds = answer
             batches.measured(part.count, seconds)
-            rows.add(lines)
+            rows.add(text.splitlines(keepends=True))
             if progress is not None:
                 progress(len(rows), rows.count)
 

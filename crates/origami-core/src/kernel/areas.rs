@@ -15,6 +15,10 @@ pub(super) fn pull<L: GatherScatter>(
 ) -> Option<Num<L>> {
     let lane = doubled_area.lane;
     let number = |x: f64| Num::splat(lane, x);
+    // A triangle has at most half the area of a rectangle on two of its sides: so most are known to have enough.
+    if (number(THRESHOLD) * ab * ca).less(doubled_area).all() {
+        return None;
+    }
     // Heron: the square of twice the area is the product of two squared sides less the square of their dot product. What
     // rounding could add to it is left off, so that nothing pulls at a thin triangle at rest.
     let (ab_squared, ca_squared) = (ab * ab, ca * ca);

@@ -1,7 +1,6 @@
 //! First pass: the fold angle of every crease and the moment of its spring (paper 2.3).
 
 use super::angle::{angle_of, unwrapped};
-use super::blocks::CREASES;
 use super::lane::{GatherScatter, Num, Vec3};
 use super::near::Near;
 use super::real::Real;
@@ -17,7 +16,7 @@ pub(super) fn fold_angles<L: GatherScatter>(
     hinges: &[u8],
     (stiffness, targets, wrong_side): (&[L::Real], &[L::Real], f64),
     angles: &mut [L::Real],
-    [sines, moments]: [&mut [L::Real; CREASES]; 2],
+    [sines, moments]: [&mut [L::Real]; 2],
 ) -> Num<L> {
     // The cosines are where the moments will be.
     let places = sines.chunks_exact_mut(L::WIDTH).zip(moments.chunks_exact_mut(L::WIDTH));

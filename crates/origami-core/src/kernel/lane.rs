@@ -75,8 +75,14 @@ pub(crate) trait GatherScatter: Lane {
     ) -> [Self::Raw; 3];
     /// Numbers of the elements `at`.
     fn gather(self, values: &[Self::Real; CREASES], at: &[u16]) -> Self::Raw;
-    /// Writes vectors one after the other; the fourth number of each is 0.
+    /// Writes vectors where [`row`] says; the fourth number of each is 0.
     fn scatter(self, vectors: [Self::Raw; 3], to: &mut [<Self::Real as Real>::Quad]);
+}
+
+/// Where a lane of `width` scatters vector `i`: i, i + 4 and so on lie one after the other, since shuffles are quick within
+/// sixteen bytes, and slow across.
+pub(super) const fn row(width: usize, i: usize) -> usize {
+    i % 4 * (width / 4) + i / 4
 }
 
 /// Numbers side by side.

@@ -7,6 +7,7 @@ use crate::ids::NodeId;
 use crate::model::{Beam, Model, Softening};
 
 use super::blocks::{Block, Cutter, FILLING, NODES};
+use super::lane::row;
 use super::of_triangles::OfTriangles;
 use super::real::Real;
 
@@ -57,7 +58,7 @@ pub(super) struct Layout<R> {
     pub(super) place_of_crease: Vec<u32>,
     /// Creases that are in a second block: their place there, and the first one.
     pub(super) copies: Vec<[u32; 2]>,
-    pub(super) k_face: f64,
+    pub(super) k_face: R,
     pub(super) k_area: f64,
     /// What pulls a crease back to flat from the side that its target is not on, in units of its stiffness.
     pub(super) wrong_side: f64,
@@ -101,7 +102,7 @@ impl<R: Real> Layout<R> {
             slots: Csr::from_entries(0, empty()),
             place_of_crease: vec![u32::MAX; model.creases.len()],
             copies: Vec::new(),
-            k_face: model.material.k_face,
+            k_face: R::of(model.material.k_face),
             k_area: model.k_area(),
             wrong_side: 0.0,
             softening: None,
@@ -191,11 +192,11 @@ impl<R: Real> Layout<R> {
 
     fn take_sums(&mut self, width: usize, block: &Block) {
         let of_corners = (0..).zip(&block.corners).flat_map(|(t, corners)| {
-            (0..3).zip(corners).map(move |(i, node)| (usize::from(*node), at(width, t, (i, 3))))
+            (0..3).zip(corners).map(move |(i, node)| (usize::from(*node), scattered(width, t, (i, 3))))
         });
         let first_loose = 3 * block.triangles.len().next_multiple_of(width);
         let of_ends = (0..).zip(&block.loose_ends).flat_map(|(b, ends)| {
-            (0..2).zip(ends).map(move |(i, node)| (usize::from(*node), first_loose + at(width, b, (i, 2))))
+            (0..2).zip(ends).map(move |(i, node)| (usize::from(*node), first_loose + scattered(width, b, (i, 2))))
         });
         // By where the first of its four numbers lies.
         let summands = of_corners.chain(of_ends).map(|(node, place)| (node, 4 * place as u16));
@@ -208,7 +209,7 @@ impl<R: Real> Layout<R> {
     pub(super) fn soften(&mut self, model: &Model, width: usize, softening: Option<Softening>) {
         self.softening = softening;
         self.wrong_side = softening.map_or(0.0, |soft| soft.wrong_side);
-        self.k_face = softening.map_or(1.0, |soft| soft.corner_angles) * model.material.k_face;
+        self.k_face = R::of(softening.map_or(1.0, |soft| soft.corner_angles) * model.material.k_face);
         let stiffness = |beam: &Beam| softening.map_or(beam.stiffness, |soft| soft.of_beam(model, beam));
         let springs = OfTriangles::new(model);
         let own = |side: u32| R::of(springs.share_of(model, side) * stiffness(&model.beams[side as usize]));
@@ -262,6 +263,11 @@ fn filling(i: usize) -> u8 {
 /// Where a field, given as one of so many, of element `e` lies: field after field, chunk by chunk.
 fn at(width: usize, e: usize, (field, fields): (usize, usize)) -> usize {
     (e / width * fields + field) * width + e % width
+}
+
+/// Where the force of element `e` on its node `i` of so many lies.
+fn scattered(width: usize, e: usize, (i, nodes): (usize, usize)) -> usize {
+    (e / width * nodes + i) * width + row(width, e % width)
 }
 
 /// Adds `count` elements in this layout to a list: `elements`, then as many copies of `filling` as there is room for.

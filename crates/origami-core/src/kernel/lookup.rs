@@ -10,11 +10,20 @@ pub(super) fn node<T: Copy>(list: &[T; NODES], i: u8) -> T {
     list[usize::from(i)]
 }
 
-/// What belongs to a crease of a block. Beyond the end the list begins anew, so that there is nothing to check.
+/// The moment of a crease of a block. Beyond the end the list begins anew, so that there is nothing to check.
 #[inline(always)]
-pub(super) fn crease<T: Copy>(list: &[T; CREASES], i: u16) -> T {
+pub(super) fn moment<T: Copy>(list: &[T; CREASES], i: u16) -> T {
     debug_assert!(usize::from(i) < CREASES, "{i} of {CREASES}");
     list[usize::from(i) % CREASES]
+}
+
+/// Four of them. Their places are taken out of one word: of four that it reads, the compiler makes a vector, out of which it
+/// then has to take each.
+#[inline(always)]
+pub(super) fn four_moments<T: Copy>(list: &[T; CREASES], at: &[u16; 4]) -> [T; 4] {
+    let word: u64 = bytemuck::cast(*at);
+    let own = |bits: u32| list[(word >> bits) as usize % CREASES];
+    [own(0), own(16), own(32), own(48)]
 }
 
 /// The force at one place of a block's, given by where its first number lies.

@@ -54,7 +54,7 @@ impl<R: Real> Pass<R> for Springs<'_, R> {
                 &layout.hinges[4 * start.creases..4 * end.creases],
                 (&layout.stiffness[creases.clone()], &targets[creases], layout.wrong_side),
                 own_angles,
-                [sines, moments],
+                [&mut sines[..], &mut moments[..]],
             );
             most = most.max(turned);
 

@@ -6,6 +6,7 @@
 //! forces of each triangle sum to zero.
 
 use std::ops::Range;
+use std::slice::ChunksExact;
 
 use super::angle::small_angle_of;
 use super::areas;
@@ -25,38 +26,69 @@ pub(super) fn triangle_forces<L: GatherScatter>(
     triangles: Range<usize>,
     forces: &mut [<L::Real as Real>::Quad],
 ) {
-    let corners = input.layout.corners[3 * triangles.start..3 * triangles.end].chunks_exact(3 * L::WIDTH);
-    let forces = forces.chunks_exact_mut(3 * L::WIDTH);
-    for (chunk, (corners, to)) in (triangles.start / L::WIDTH..).zip(corners.zip(forces)) {
-        let forces = input.forces(lane, chunk, corners);
-        for (i, force) in forces.iter().enumerate() {
-            lane.scatter(force.raw(), &mut to[i * L::WIDTH..][..L::WIDTH]);
+    let Layout { corners, beams, damping, angles, creases, .. } = input.layout;
+    let corners = corners[3 * triangles.start..3 * triangles.end].chunks_exact(3 * L::WIDTH);
+    let beams = beams[6 * triangles.start..6 * triangles.end].chunks_exact(6 * L::WIDTH);
+    let damping = if input.damped { &damping[3 * triangles.start..3 * triangles.end] } else { &[] };
+    let mut others = Others {
+        damping: damping.chunks_exact(3 * L::WIDTH),
+        angles: of(angles, &triangles).chunks_exact(3 * L::WIDTH),
+        creases: of(creases, &triangles).chunks_exact(3 * L::WIDTH),
+    };
+    for ((corners, beams), to) in corners.zip(beams).zip(forces.chunks_exact_mut(3 * L::WIDTH)) {
+        let forces = input.forces(lane, corners, beams, &mut others);
+        for (force, to) in forces.iter().zip(to.chunks_exact_mut(L::WIDTH)) {
+            lane.scatter(force.raw(), to);
         }
     }
 }
 
-/// The `N` fields of one chunk of a list.
+/// What there is in some scenes only, chunk by chunk.
+struct Others<'a, R> {
+    damping: ChunksExact<'a, R>,
+    angles: ChunksExact<'a, R>,
+    creases: ChunksExact<'a, u16>,
+}
+
+/// Three numbers of each of these triangles, where they have them at all.
+fn of<'a, T>(list: &'a [T], triangles: &Range<usize>) -> &'a [T] {
+    list.get(3 * triangles.start..3 * triangles.end).unwrap_or_default()
+}
+
+/// The fields of one chunk of a list.
 #[inline(always)]
-fn fields<const N: usize, L: GatherScatter>(lane: L, list: &[L::Real], chunk: usize) -> [Num<L>; N] {
-    let own = &list[chunk * N * L::WIDTH..][..N * L::WIDTH];
+fn fields<const N: usize, L: GatherScatter>(lane: L, own: &[L::Real]) -> [Num<L>; N] {
     let mut fields = [Num::splat(lane, 0.0); N];
-    for (i, field) in fields.iter_mut().enumerate() {
-        *field = Num::load(lane, &own[i * L::WIDTH..]);
+    for (field, own) in fields.iter_mut().zip(own.chunks_exact(L::WIDTH)) {
+        *field = Num::load(lane, own);
     }
     fields
 }
 
-/// The inverses of two numbers, by one division. 0 for 0: what has shrunk to nothing has no direction, and so no force.
+/// The inverses of three lengths and of a doubled area. 0 for 0: what has shrunk to nothing has no direction, and so no force.
 #[inline(always)]
-fn inverses<L: GatherScatter>(a: Num<L>, b: Num<L>) -> [Num<L>; 2] {
+fn inverses<L: GatherScatter>([a, b, c]: [Num<L>; 3], area: Num<L>) -> [Num<L>; 4] {
     let lane = a.lane;
     let [zero, one] = [0.0, 1.0].map(|x| Num::splat(lane, x));
     // The product of two such numbers does not vanish.
     let least = Num::splat(lane, L::Real::LEAST.sqrt());
-    let (no_a, no_b) = (a.less(least), b.less(least));
-    let (a, b) = (no_a.select(one, a), no_b.select(one, b));
-    let both = one / (a * b);
-    [no_a.select(zero, both * b), no_b.select(zero, both * a)]
+    if least.less(a.min(b).min(c.min(area))).all() {
+        let ([a, b], [c, area]) = (two_inverses(a, b), two_inverses(c, area));
+        return [a, b, c, area];
+    }
+    let none = [a.less(least), b.less(least), c.less(least), area.less(least)];
+    let ([a, b], [c, area]) = (
+        two_inverses(none[0].select(one, a), none[1].select(one, b)),
+        two_inverses(none[2].select(one, c), none[3].select(one, area)),
+    );
+    [none[0].select(zero, a), none[1].select(zero, b), none[2].select(zero, c), none[3].select(zero, area)]
+}
+
+/// The inverses of two numbers, by one division.
+#[inline(always)]
+fn two_inverses<L: GatherScatter>(a: Num<L>, b: Num<L>) -> [Num<L>; 2] {
+    let both = Num::splat(a.lane, 1.0) / (a * b);
+    [both * b, both * a]
 }
 
 /// The angle at a corner less that at rest, by turning its cosine and sine back. The products are rounded before their
@@ -67,8 +99,8 @@ fn deviation<L: GatherScatter>(cosine: Num<L>, sine: Num<L>, doubled_area: Num<L
 }
 
 #[inline(always)]
-fn thirds<L: Lane>(corners: &[u8]) -> [&[u8]; 3] {
-    let (a, others) = corners.split_at(L::WIDTH);
+fn thirds<L: Lane, T>(chunk: &[T]) -> [&[T]; 3] {
+    let (a, others) = chunk.split_at(L::WIDTH);
     let (b, c) = others.split_at(L::WIDTH);
     [a, b, c]
 }
@@ -95,7 +127,7 @@ struct Shape<L: Lane> {
 impl<L: GatherScatter> Shape<L> {
     #[inline(always)]
     fn of(lane: L, near: &Near<L::Real>, corners: &[u8]) -> Self {
-        let [ab, bc, ca] = lane.gather_sides(near, thirds::<L>(corners));
+        let [ab, bc, ca] = lane.gather_sides(near, thirds::<L, _>(corners));
         let (ab, bc, ca) = (Vec3::new(lane, ab), Vec3::new(lane, bc), Vec3::new(lane, ca));
         let squares = [ab.dot(ab), bc.dot(bc), ca.dot(ca)];
         let dots = [-ab.dot(ca), -ab.dot(bc), -bc.dot(ca)];
@@ -108,7 +140,7 @@ impl<L: GatherScatter> Shape<L> {
     /// Puts its own numbers in place of `angles`, where both angles are nearly the same.
     #[inline(always)]
     fn replace_angles(&self, nearly: Num<L>, angles: &mut [L::Real]) {
-        let [along_a, along_b, area] = fields(self.doubled_area.lane, angles, 0);
+        let [along_a, along_b, area] = fields(self.doubled_area.lane, angles);
         let same = nearly_same(nearly, (along_a, area), (self.dots[0], self.doubled_area))
             & nearly_same(nearly, (along_b, area), (self.dots[1], self.doubled_area));
         same.select(self.dots[0], along_a).store(angles);
@@ -172,22 +204,28 @@ pub(super) struct Input<'a, R: Real> {
 
 impl<R: Real> Input<'_, R> {
     #[inline(always)]
-    fn forces<L: GatherScatter<Real = R>>(&self, lane: L, chunk: usize, corners: &[u8]) -> [Vec3<L>; 3] {
-        let [a, b, c] = thirds::<L>(corners);
+    fn forces<L: GatherScatter<Real = R>>(
+        &self,
+        lane: L,
+        corners: &[u8],
+        beams: &[R],
+        others: &mut Others<'_, R>,
+    ) -> [Vec3<L>; 3] {
+        let [a, b, c] = thirds::<L, _>(corners);
         let Shape { sides: [ab, bc, ca], squares, lengths: [l_ab, l_bc, l_ca], dots, normal, doubled_area } =
             Shape::of(lane, self.near, corners);
-        let ([over_ab, over_bc], [over_ca, over_area]) = (inverses(l_ab, l_bc), inverses(l_ca, doubled_area));
+        let [over_ab, over_bc, over_ca, over_area] = inverses([l_ab, l_bc, l_ca], doubled_area);
 
         // The beams: forces over lengths, k (l - l0) / l.
-        let [rest_ab, rest_bc, rest_ca, k_ab, k_bc, k_ca] = fields(lane, &self.layout.beams, chunk);
+        let [rest_ab, rest_bc, rest_ca, k_ab, k_bc, k_ca] = fields(lane, beams);
         let on_ab = k_ab * (l_ab - rest_ab) * over_ab;
         let on_bc = k_bc * (l_bc - rest_bc) * over_bc;
         let on_ca = k_ca * (l_ca - rest_ca) * over_ca;
         let mut at_a = ca.sub_mul(on_ca, ab * on_ab);
         let mut at_b = ab.sub_mul(on_ab, bc * on_bc);
 
-        if self.damped {
-            let [c_ab, c_bc, c_ca] = fields(lane, &self.layout.damping, chunk);
+        if let Some(damping) = others.damping.next() {
+            let [c_ab, c_bc, c_ca] = fields(lane, damping);
             let ab = Vec3::new(lane, lane.gather_velocity_differences(self.velocities, a, b));
             let bc = Vec3::new(lane, lane.gather_velocity_differences(self.velocities, b, c));
             // From c to a it is minus the sum of these two.
@@ -195,12 +233,12 @@ impl<R: Real> Input<'_, R> {
             at_b = bc.mul_add(c_bc, ab.sub_mul(c_ab, at_b));
         }
 
-        if !self.layout.angles.is_empty() {
-            let [rest_a, rest_b, rest_area] = fields(lane, &self.layout.angles, chunk);
+        if let Some(angles) = others.angles.next() {
+            let [rest_a, rest_b, rest_area] = fields(lane, angles);
             let one = deviation(rest_a, rest_area, doubled_area, dots[0]);
             let two = deviation(rest_b, rest_area, doubled_area, dots[1]);
             let three = -(one + two);
-            let stiff = over_area * Num::splat(lane, self.layout.k_face);
+            let stiff = over_area * Num::of(lane, self.layout.k_face);
             let on_ab = stiff * (two - one) * (over_ab * over_ab);
             let on_bc = stiff * (three - two) * (over_bc * over_bc);
             let on_ca = stiff * (one - three) * (over_ca * over_ca);
@@ -215,11 +253,9 @@ impl<R: Real> Input<'_, R> {
             at_b = normal.cross(ca).mul_add(pull, at_b);
         }
 
-        if !self.layout.creases.is_empty() {
-            let own = &self.layout.creases[chunk * 3 * L::WIDTH..][..3 * L::WIDTH];
+        if let Some(creases) = others.creases.next() {
             let over_square = over_area * over_area;
-            let (on_ab, others) = own.split_at(L::WIDTH);
-            let (on_bc, on_ca) = others.split_at(L::WIDTH);
+            let [on_ab, on_bc, on_ca] = thirds::<L, _>(creases);
             let g_ab = Num { lane, raw: lane.gather(self.moments, on_ab) } * over_ab * over_square;
             let g_bc = Num { lane, raw: lane.gather(self.moments, on_bc) } * over_bc * over_square;
             let g_ca = Num { lane, raw: lane.gather(self.moments, on_ca) } * over_ca * over_square;

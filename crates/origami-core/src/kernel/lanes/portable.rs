@@ -2,7 +2,7 @@
 
 use crate::kernel::blocks::{CREASES, NODES};
 use crate::kernel::lane::{GatherScatter, Lane};
-use crate::kernel::lookup::{crease, node};
+use crate::kernel::lookup::{moment, node};
 use crate::kernel::near::Near;
 use crate::kernel::real::{Quad64, Real, Whole32};
 
@@ -224,7 +224,7 @@ macro_rules! portable {
 
             #[inline(always)]
             fn gather(self, values: &[$real; CREASES], at: &[u16]) -> [$real; 4] {
-                [crease(values, at[0]), crease(values, at[1]), crease(values, at[2]), crease(values, at[3])]
+                [moment(values, at[0]), moment(values, at[1]), moment(values, at[2]), moment(values, at[3])]
             }
 
             #[inline(always)]

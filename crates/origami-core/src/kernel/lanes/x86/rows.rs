@@ -6,7 +6,7 @@ use bytemuck::cast;
 use pulp::x86::V3;
 
 use crate::kernel::blocks::{CREASES, NODES};
-use crate::kernel::lookup::{crease, node};
+use crate::kernel::lookup::{four_moments, node};
 use crate::kernel::near::Near;
 use crate::kernel::real::{Quad32, Quad64, Whole32};
 
@@ -46,23 +46,17 @@ pub(super) fn columns_s8(v: V3, [a, b, c, d]: [__m256; 4]) -> [__m256; 3] {
     ]
 }
 
-/// Three columns and one of zeros to eight rows.
+/// Three columns and one of zeros to eight rows: 0 and 4, 1 and 5, and so on.
 #[inline(always)]
 pub(super) fn rows_s8(v: V3, [x, y, z]: [__m256; 3], to: &mut [Quad32; 8]) {
     let zero = v.avx._mm256_setzero_ps();
     let (xy_01, xy_23) = (v.avx._mm256_unpacklo_ps(x, y), v.avx._mm256_unpackhi_ps(x, y));
     let (zw_01, zw_23) = (v.avx._mm256_unpacklo_ps(z, zero), v.avx._mm256_unpackhi_ps(z, zero));
-    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0x44>(xy_01, zw_01), 0, to);
-    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0xee>(xy_01, zw_01), 1, to);
-    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0x44>(xy_23, zw_23), 2, to);
-    rows_of_pair(v, v.avx._mm256_shuffle_ps::<0xee>(xy_23, zw_23), 3, to);
-}
-
-/// Rows i and i + 4.
-#[inline(always)]
-pub(super) fn rows_of_pair(v: V3, pair: __m256, i: usize, to: &mut [Quad32; 8]) {
-    to[i] = Quad32(cast(v.avx._mm256_castps256_ps128(pair)));
-    to[i + 4] = Quad32(cast(v.avx._mm256_extractf128_ps::<1>(pair)));
+    let (pairs, _) = to.as_chunks_mut::<2>();
+    pairs[0] = cast(v.avx._mm256_shuffle_ps::<0x44>(xy_01, zw_01));
+    pairs[1] = cast(v.avx._mm256_shuffle_ps::<0xee>(xy_01, zw_01));
+    pairs[2] = cast(v.avx._mm256_shuffle_ps::<0x44>(xy_23, zw_23));
+    pairs[3] = cast(v.avx._mm256_shuffle_ps::<0xee>(xy_23, zw_23));
 }
 
 /// The difference between two nodes.
@@ -165,15 +159,14 @@ pub(super) fn gather_velocity_differences_s8(
 
 #[inline(always)]
 pub(super) fn gather_d4(v: V3, values: &[f64; CREASES], at: &[u16; 4]) -> __m256d {
-    let [a, b, c, d] = *at;
-    v.avx._mm256_set_pd(crease(values, d), crease(values, c), crease(values, b), crease(values, a))
+    let [a, b, c, d] = four_moments(values, at);
+    v.avx._mm256_set_pd(d, c, b, a)
 }
 
 #[inline(always)]
 pub(super) fn gather_s8(v: V3, values: &[f32; CREASES], at: &[u16; 8]) -> __m256 {
-    let [a, b, c, d, e, f, g, h] = *at;
-    let (a, b, c, d) = (crease(values, a), crease(values, b), crease(values, c), crease(values, d));
-    let (e, f, g, h) = (crease(values, e), crease(values, f), crease(values, g), crease(values, h));
+    let [low, high] = halves(at);
+    let ([a, b, c, d], [e, f, g, h]) = (four_moments(values, low), four_moments(values, high));
     v.avx._mm256_set_ps(h, g, f, e, d, c, b, a)
 }
 

@@ -41,14 +41,14 @@ pub(super) fn gather_differences_d8(v: V4, vectors: &[Quad64; NODES], from: &[u8
     ]
 }
 
-/// Three columns and one of zeros to eight rows.
+/// Three columns and one of zeros to eight rows: 0 and 4, 1 and 5, and so on.
 #[inline(always)]
 pub(super) fn rows_d8(v: V4, columns: [__m512d; 3], to: &mut [Quad64; 8]) {
     let (pairs, _) = to.as_chunks_mut();
-    two_rows(v, columns, [0, 8, 0, 0, 1, 9, 0, 0], [0, 0, 0, 0, 0, 0, 1, 0], &mut pairs[0]);
-    two_rows(v, columns, [2, 10, 0, 0, 3, 11, 0, 0], [0, 0, 2, 0, 0, 0, 3, 0], &mut pairs[1]);
-    two_rows(v, columns, [4, 12, 0, 0, 5, 13, 0, 0], [0, 0, 4, 0, 0, 0, 5, 0], &mut pairs[2]);
-    two_rows(v, columns, [6, 14, 0, 0, 7, 15, 0, 0], [0, 0, 6, 0, 0, 0, 7, 0], &mut pairs[3]);
+    two_rows(v, columns, [0, 8, 0, 0, 4, 12, 0, 0], [0, 0, 0, 0, 0, 0, 4, 0], &mut pairs[0]);
+    two_rows(v, columns, [1, 9, 0, 0, 5, 13, 0, 0], [0, 0, 1, 0, 0, 0, 5, 0], &mut pairs[1]);
+    two_rows(v, columns, [2, 10, 0, 0, 6, 14, 0, 0], [0, 0, 2, 0, 0, 0, 6, 0], &mut pairs[2]);
+    two_rows(v, columns, [3, 11, 0, 0, 7, 15, 0, 0], [0, 0, 3, 0, 0, 0, 7, 0], &mut pairs[3]);
 }
 
 /// From where in the columns x and y, and from where in z.
@@ -169,24 +169,17 @@ pub(super) fn gather_velocity_differences_s16(
     columns_s16(v, [a, b, c, d])
 }
 
-/// Three columns and one of zeros to sixteen rows.
+/// Three columns and one of zeros to sixteen rows: 0, 4, 8 and 12, then the next ones.
 #[inline(always)]
-pub(super) fn rows_s16(v: V4, columns: [__m512; 3], to: &mut [Quad32; 16]) {
-    let (fours, _) = to.as_chunks_mut();
-    four_rows(v, columns, 0, &mut fours[0]);
-    four_rows(v, columns, 4, &mut fours[1]);
-    four_rows(v, columns, 8, &mut fours[2]);
-    four_rows(v, columns, 12, &mut fours[3]);
-}
-
-/// Rows i to i + 3.
-#[inline(always)]
-fn four_rows(v: V4, [x, y, z]: [__m512; 3], i: i32, to: &mut [Quad32; 4]) {
-    let (j, k, l) = (i + 1, i + 2, i + 3);
-    let of_xy = [i, i + 16, 0, 0, j, j + 16, 0, 0, k, k + 16, 0, 0, l, l + 16, 0, 0];
-    let of_z = [0, 0, i, 0, 0, 0, j, 0, 0, 0, k, 0, 0, 0, l, 0];
-    let xy = v.avx512f._mm512_maskz_permutex2var_ps(0x3333, x, cast(of_xy), y);
-    *to = cast(v.avx512f._mm512_mask_permutexvar_ps(xy, 0x4444, cast(of_z), z));
+pub(super) fn rows_s16(v: V4, [x, y, z]: [__m512; 3], to: &mut [Quad32; 16]) {
+    let zero = v.avx512f._mm512_setzero_ps();
+    let (xy_01, xy_23) = (v.avx512f._mm512_unpacklo_ps(x, y), v.avx512f._mm512_unpackhi_ps(x, y));
+    let (zw_01, zw_23) = (v.avx512f._mm512_unpacklo_ps(z, zero), v.avx512f._mm512_unpackhi_ps(z, zero));
+    let (fours, _) = to.as_chunks_mut::<4>();
+    fours[0] = cast(v.avx512f._mm512_shuffle_ps::<0x44>(xy_01, zw_01));
+    fours[1] = cast(v.avx512f._mm512_shuffle_ps::<0xee>(xy_01, zw_01));
+    fours[2] = cast(v.avx512f._mm512_shuffle_ps::<0x44>(xy_23, zw_23));
+    fours[3] = cast(v.avx512f._mm512_shuffle_ps::<0xee>(xy_23, zw_23));
 }
 
 /// Four numbers each.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Dof, Refused, Structure};
+use super::{Configuration, Dof, Refused, Structure};
 use crate::ids::NodeId;
 
 impl Structure {
@@ -24,7 +24,7 @@ impl Structure {
             finite(format!("hinges[{i}].rest_angle"), hinge.rest_angle)?;
             at_least_zero(format!("hinges[{i}].stiffness"), hinge.stiffness)?;
             if let Some((number, expected)) = hinge.law.problem() {
-                return Err(Refused::at(format!("hinges[{i}].law"), number.to_string(), expected));
+                return Err(Refused::at(format!("hinges[{i}].law"), number, expected));
             }
         }
         for (i, corners) in self.corners.iter().enumerate() {
@@ -49,6 +49,16 @@ impl Structure {
             above_zero(format!("masses[{i}]"), *mass)?;
         }
         self.check_supports()
+    }
+
+    /// Whether a configuration has a position for each node and an angle for each hinge.
+    pub(super) fn check_configuration(&self, at: &Configuration) -> Result<(), Refused> {
+        let (positions, angles) = (at.positions.len(), at.fold_angles.len());
+        if (positions, angles) == (self.nodes.len(), self.hinges.len()) {
+            return Ok(());
+        }
+        let expected = format!("one for each of {} nodes and {} hinges", self.nodes.len(), self.hinges.len());
+        Err(Refused::at("configuration", format!("{positions} positions and {angles} angles"), expected))
     }
 
     fn check_supports(&self) -> Result<(), Refused> {

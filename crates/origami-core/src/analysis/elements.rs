@@ -148,8 +148,11 @@ mod tests {
             bar.law = [BarLaw::Linear, BarLaw::Green, BarLaw::Ogden][i % 3];
         }
         for (i, hinge) in structure.hinges.iter_mut().enumerate() {
-            let laws =
-                [HingeLaw::Linear, HingeLaw::Stiffened { beyond: 0.02 }, HingeLaw::Power { exponent: 4.0 / 3.0 }];
+            let laws = [
+                HingeLaw::Linear,
+                HingeLaw::Stiffened { between: [-0.02, 0.02] },
+                HingeLaw::Power { exponent: 4.0 / 3.0 },
+            ];
             hinge.law = laws[i % 3];
             hinge.rest_angle += 0.4;
         }

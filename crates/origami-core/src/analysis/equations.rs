@@ -19,6 +19,18 @@ pub(super) struct Equations<'s> {
     way: Vec<DVec3>,
 }
 
+impl Structure {
+    /// Forces out of balance at `at` under `load_factor` times the loads, by node: what the members pull less what acts. Along
+    /// axes that are held these are the supports' reactions; along others 0 in equilibrium.
+    ///
+    /// # Errors
+    /// [`Refused`] where the structure is wrong, or `at` is of another one.
+    pub fn unbalanced(&self, at: &Configuration, load_factor: f64) -> Result<Vec<DVec3>, Refused> {
+        self.check_configuration(at)?;
+        Ok(Equations::new(self)?.unbalanced(&mut at.clone(), load_factor))
+    }
+}
+
 impl<'s> Equations<'s> {
     pub(super) fn new(structure: &'s Structure) -> Result<Self, Refused> {
         structure.check()?;

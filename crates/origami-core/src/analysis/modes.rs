@@ -47,6 +47,7 @@ impl Structure {
     /// # Errors
     /// [`Refused`] where the structure is wrong or too large.
     pub fn modes(&self, at: &Configuration, load_factor: f64, count: usize) -> Result<Vec<Mode>, Refused> {
+        self.check_configuration(at)?;
         let mut tangent = Tangent::new(self)?;
         tangent.set(at, load_factor);
         let of_node = |i: usize| self.masses.get(i).copied().unwrap_or(1.0);

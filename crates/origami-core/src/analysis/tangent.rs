@@ -39,6 +39,7 @@ impl Structure {
     /// # Errors
     /// [`Refused`] where the structure is wrong, too large, or singular there.
     pub fn tangent(&self, at: &Configuration, load_factor: f64) -> Result<Tangent<'_>, Refused> {
+        self.check_configuration(at)?;
         let mut tangent = Tangent::new(self)?;
         match tangent.set(at, load_factor) {
             true => Ok(tangent),

@@ -1,4 +1,4 @@
-//! Structures from files.
+//! Structures from files, with what the programs that they are of found.
 
 use std::f64::consts::PI;
 
@@ -34,14 +34,45 @@ struct Case {
     crease_rest: Numbers,
     crease_stiffness: Option<Numbers>,
     crease_stiffness_per_length: Option<Numbers>,
-    crease_beyond: f64,
     facets: Vec<[u32; 4]>,
     facet_rest: Numbers,
     facet_stiffness_per_length: Numbers,
-    facet_beyond: f64,
+    /// Interior angles in degrees between which hinges are linear.
+    between: [f64; 2],
+    /// Of facets with a power law.
+    facet_exponent: Option<f64>,
     fixed: Vec<usize>,
     loaded: Vec<usize>,
     load: Numbers,
+}
+
+/// What a program found.
+#[derive(Deserialize)]
+pub(crate) struct Found {
+    /// The least eigenvalues of the tangent as drawn, over the free degrees of freedom.
+    #[serde(default)]
+    pub(crate) eigenvalues: Vec<f64>,
+    /// The largest one.
+    #[serde(default)]
+    pub(crate) eigenvalue_max: f64,
+    pub(crate) states: Vec<FoundState>,
+    /// The degree of freedom that `curve` is of.
+    pub(crate) monitor: usize,
+    /// Displacement and load factor, in the order of the path.
+    pub(crate) curve: Vec<[f64; 2]>,
+}
+
+/// A state that a program found.
+#[derive(Deserialize)]
+pub(crate) struct FoundState {
+    pub(crate) factor: f64,
+    pub(crate) energy: f64,
+    pub(crate) positions: Vec<[f64; 3]>,
+}
+
+/// What was found of a case.
+pub(crate) fn found(text: &str) -> Found {
+    serde_json::from_str(text).expect("what was found")
 }
 
 /// The degree of freedom that those programs number so.
@@ -65,13 +96,18 @@ pub(crate) fn case(text: &str) -> Structure {
         rigidity: case.rigidity.at(i),
         law,
     });
-    let hinge = |nodes: &[u32; 4], interior: f64, stiffness: f64, beyond: f64, kind| {
+    let hinge = |nodes: &[u32; 4], interior: f64, stiffness: f64, kind| {
         let [a, b, c, d] = *nodes;
         Hinge {
             nodes: [c, d, a, b].map(NodeId),
             rest_angle: PI - interior,
             stiffness,
-            law: HingeLaw::Stiffened { beyond },
+            law: match (kind, case.facet_exponent) {
+                (HingeKind::Facet, Some(exponent)) => HingeLaw::Power { exponent },
+                _ => HingeLaw::Stiffened {
+                    between: [PI - case.between[1].to_radians(), PI - case.between[0].to_radians()],
+                },
+            },
             kind,
         }
     };
@@ -79,11 +115,11 @@ pub(crate) fn case(text: &str) -> Structure {
         let per_length = case.crease_stiffness_per_length.as_ref();
         let whole = case.crease_stiffness.as_ref().map(|k| k.at(i));
         let stiffness = whole.or(per_length.map(|k| k.at(i) * length(nodes[0], nodes[1]))).expect("one of the two");
-        hinge(nodes, case.crease_rest.at(i), stiffness, case.crease_beyond, HingeKind::Crease)
+        hinge(nodes, case.crease_rest.at(i), stiffness, HingeKind::Crease)
     });
     let facets = case.facets.iter().enumerate().map(|(i, nodes)| {
         let stiffness = case.facet_stiffness_per_length.at(i) * length(nodes[0], nodes[1]);
-        hinge(nodes, case.facet_rest.at(i), stiffness, case.facet_beyond, HingeKind::Facet)
+        hinge(nodes, case.facet_rest.at(i), stiffness, HingeKind::Facet)
     });
     let mut points = Vec::new();
     for (i, number) in case.loaded.iter().enumerate() {
@@ -103,7 +139,12 @@ pub(crate) fn case(text: &str) -> Structure {
     let drawn = structure.fold_angles(&structure.nodes, &vec![0.0; structure.hinges.len()]);
     let same = structure.hinges.iter().zip(&drawn).map(|(hinge, drawn)| hinge.rest_angle * drawn).sum::<f64>();
     if same < 0.0 {
-        structure.hinges.iter_mut().for_each(|hinge| hinge.rest_angle *= -1.0);
+        for hinge in &mut structure.hinges {
+            hinge.rest_angle *= -1.0;
+            if let HingeLaw::Stiffened { between } = &mut hinge.law {
+                *between = [-between[1], -between[0]];
+            }
+        }
     }
     structure
 }

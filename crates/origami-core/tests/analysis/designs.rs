@@ -1,37 +1,12 @@
 //! Inverse design: what is found is as wanted, by what is known of it.
 
-use std::f64::consts::TAU;
-
-use origami_core::analysis::{Bar, BarLaw, Effort, Members, Structure, Variable};
+use origami_core::analysis::{Effort, Members, Variable};
 use origami_core::glam::DVec3;
 use origami_core::ids::NodeId;
 use origami_core::scene::Axes;
 
+use crate::kresling::{SIDES, kresling};
 use crate::miura::miura;
-
-const SIDES: u32 = 6;
-
-/// Two hexagons of radius 1, the upper one `height` above and turned by `turn`; the lower one is fixed. Bars alone.
-fn kresling(height: f64, turn: f64) -> Structure {
-    let ring = |z: f64, turn: f64| {
-        (0..SIDES).map(move |i| {
-            let angle = turn + TAU * f64::from(i) / f64::from(SIDES);
-            DVec3::new(angle.cos(), angle.sin(), z)
-        })
-    };
-    let mut structure = Structure { nodes: ring(0.0, 0.0).chain(ring(height, turn)).collect(), ..Structure::default() };
-    for i in 0..SIDES {
-        let next = (i + 1) % SIDES;
-        // One of each kind after the other: upright, leaning, around the top.
-        for nodes in [[i, SIDES + i], [i, SIDES + next], [SIDES + i, SIDES + next]] {
-            let nodes = nodes.map(NodeId);
-            let rest_length = structure.nodes[nodes[0].index()].distance(structure.nodes[nodes[1].index()]);
-            structure.bars.push(Bar { nodes, rest_length, rigidity: 20.0, law: BarLaw::Linear });
-        }
-        structure.hold(NodeId(i), Axes::ALL);
-    }
-    structure
-}
 
 #[test]
 fn a_kresling_has_its_second_state_at_the_height_wanted() {

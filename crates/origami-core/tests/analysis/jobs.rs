@@ -125,7 +125,7 @@ fn one_sheet_in_two_units_is_the_same() {
     }
     let limits = [limits(&metres), limits(&millimetres)];
     assert!(!limits[0].is_empty());
-    assert!(limits[0].iter().zip(&limits[1]).all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{limits:?}");
+    assert!(limits[0].iter().zip(&limits[1]).all(|(a, b)| (a / b - 1.0).abs() < 1e-12), "{limits:?}");
 }
 
 #[test]

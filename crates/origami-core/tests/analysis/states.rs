@@ -188,6 +188,31 @@ fn a_column_of_rigid_links_buckles_at_its_load() {
 }
 
 #[test]
+fn a_cantilever_of_rigid_links_bends_as_its_chain_does() {
+    let (links, a, stiffness) = (8, 0.1, 0.03);
+    let mut structure = column(links, a, stiffness);
+    let facets = structure.hinges.iter_mut().filter(|hinge| hinge.kind == HingeKind::Facet);
+    facets.for_each(|hinge| hinge.stiffness *= 100.0);
+    let tip = structure.nodes.len() - 1;
+    let across = |load: f64| [tip - 1, tip].map(|n| (NodeId::new(n), 0.5 * load * DVec3::Y)).to_vec();
+    structure.loads.points = across(1.0);
+    // P a^2 / K times the sum of j^2, to first order.
+    let first = structure.first_order(&structure.as_drawn(), 0.0).expect("an answer");
+    let wanted = a * a / stiffness * (1..=links).map(|j| f64::from(j * j)).sum::<f64>();
+    assert!((first.displacements[tip].y / wanted - 1.0).abs() < 5e-6, "{} {wanted}", first.displacements[tip].y);
+    // The chain's large deflections: K theta_j = P times the arm beyond j.
+    for (load, down, inward) in
+        [(0.01, 0.46158698135360166, 0.17087903809091054), (0.1, 0.7411293765082173, 0.6031553014558695)]
+    {
+        structure.loads.points = across(load);
+        let trace = structure.trace(&Start::default(), &Path::default(), &mut |_| ControlFlow::Continue(()));
+        let end = trace.expect("a path").points.pop().expect("some");
+        let moved = end.configuration.positions[tip] - structure.nodes[tip];
+        assert!((moved.y / down - 1.0).abs() < 5e-6 && (-moved.z - inward).abs() < 5e-6, "{moved}");
+    }
+}
+
+#[test]
 fn what_does_not_buckle_has_no_critical_load() {
     let mut structure = column(3, 0.1, 0.03);
     structure.loads.points.iter_mut().for_each(|(_, force)| *force = -*force);

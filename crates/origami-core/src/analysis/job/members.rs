@@ -91,8 +91,11 @@ impl Job {
             if let Some(k) = hinge.k.filter(|k| !(k.is_finite() && *k >= 0.0)) {
                 return wrong(&format!("{name}.k"), k, "a number of at least 0");
             }
-            if let Some(from) = hinge.from.filter(|from| !(*from > 0.0 && *from < 180.0)) {
-                return wrong(&format!("{name}.from"), from, "an angle above 0 and below 180 degrees");
+            let [least, most] = hinge.from.unwrap_or_default().between();
+            if !(0.0 < least && least < most && most < 360.0) {
+                let place = Place::key(format!("{name}.from"));
+                let expected = "angles above 0 and below 360 degrees, in order; one alone below 180";
+                return Err(Error::new(ErrorCode::WrongValue, place, format!("is from {least} to {most}"), expected));
             }
             if let Some(exponent) = hinge.exponent.filter(|x| !(x.is_finite() && *x >= 1.0)) {
                 return wrong(&format!("{name}.exponent"), exponent, "a number of at least 1");

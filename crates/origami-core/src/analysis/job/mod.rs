@@ -83,9 +83,10 @@ pub struct BarJob {
 pub struct HingeJob {
     /// `linear`, `stiffened` or `power`. Default linear.
     pub law: HingeName,
-    /// Of stiffened ones: the angle between the facets, in degrees, below which they stiffen, and above 360 less which. Larger:
-    /// stiffer earlier. Above 0 and below 180. Default 45.
-    pub from: Option<f64>,
+    /// Of stiffened ones: the angle between the facets, in degrees as seen from the front, below which they stiffen, and that
+    /// above which they do; one number stands for itself and for 360 less it. Closer to each other: stiffer earlier. Above 0,
+    /// below 360 and in order. Default 45, which is `[45, 315]`.
+    pub from: Option<Limits>,
     /// Of those with a power: the exponent. Larger: softer near rest. At least 1. Default 4/3.
     pub exponent: Option<f64>,
     /// Stiffness, a moment per radian and length of hinge; `edges_origami:k_crease` goes before. Larger: it turns less.
@@ -93,6 +94,33 @@ pub struct HingeJob {
     pub k: Option<f64>,
     /// Of creases with a stiffness from the sheet: the length scale L*. Larger: softer creases. Above 0.
     pub length_scale: Option<f64>,
+}
+
+/// Angles between facets, in degrees as seen from the front, at which a hinge stiffens.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(untagged)]
+pub enum Limits {
+    /// This angle, and 360 less it.
+    Both(f64),
+    /// The least and the largest: 180 is flat, a valley is below.
+    Each([f64; 2]),
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self::Both(45.0)
+    }
+}
+
+impl Limits {
+    /// The least and the largest.
+    #[must_use]
+    pub fn between(self) -> [f64; 2] {
+        match self {
+            Self::Both(least) => [least, 360.0 - least],
+            Self::Each(limits) => limits,
+        }
+    }
 }
 
 /// A law of hinges, by name.
@@ -114,7 +142,10 @@ impl HingeJob {
     pub fn law(&self) -> HingeLaw {
         match self.law {
             HingeName::Linear => HingeLaw::Linear,
-            HingeName::Stiffened => HingeLaw::Stiffened { beyond: (180.0 - self.from.unwrap_or(45.0)).to_radians() },
+            HingeName::Stiffened => {
+                let [least, most] = self.from.unwrap_or_default().between();
+                HingeLaw::Stiffened { between: [180.0 - most, 180.0 - least].map(f64::to_radians) }
+            }
             HingeName::Power => HingeLaw::Power { exponent: self.exponent.unwrap_or(4.0 / 3.0) },
         }
     }

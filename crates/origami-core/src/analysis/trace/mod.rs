@@ -139,6 +139,7 @@ impl Structure {
     /// [`Refused`] where the structure is wrong or free to move, or none is found.
     pub fn equilibrium(&self, from: &Configuration, load_factor: f64) -> Result<Configuration, Refused> {
         self.check()?;
+        self.check_configuration(from)?;
         match self.free_rigid_motions() {
             0 => {}
             free => return Err(Refused::RigidMotions { free }),
@@ -158,10 +159,7 @@ impl Structure {
 fn begin(walker: &mut Walker<'_>, start: &Start) -> Result<Stand, Refused> {
     let structure = walker.structure();
     let mut at = start.configuration.clone().unwrap_or_else(|| structure.as_drawn());
-    if (at.positions.len(), at.fold_angles.len()) != (structure.nodes.len(), structure.hinges.len()) {
-        let problem = format!("{} positions and {} angles", at.positions.len(), at.fold_angles.len());
-        return Err(Refused::at("start", problem, "one for each node and each hinge"));
-    }
+    structure.check_configuration(&at)?;
     walker.tangent.equations.place(&mut at, start.load_factor);
     walker.tangent.set(&at, start.load_factor);
     let by_load = walker.by_load();

@@ -3,7 +3,7 @@
 //! `cargo run --release --features analysis --example inverse_design`
 #![expect(clippy::print_stdout, reason = "an example prints what it found")]
 
-use origami::analysis::{Configuration, Effort, Members, Structure, Variable};
+use origami::analysis::{Configuration, Effort, Goal, Members, Structure, Variable, Watched};
 use origami::glam::DVec3;
 use origami::ids::NodeId;
 use origami::scene::Axes;
@@ -28,19 +28,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // The same sheet upon a saddle.
     let target: Vec<DVec3> = drawn.positions.iter().map(|p| *p + DVec3::Z * 0.2 * (p.x * p.x - p.y * p.y)).collect();
-    let mut distance = |at: &Configuration| {
-        let apart: Vec<DVec3> = at.positions.iter().zip(&target).map(|(p, t)| *p - *t).collect();
-        (0.5 * apart.iter().map(|d| d.length_squared()).sum::<f64>(), apart)
-    };
-    let before = distance(&drawn).0;
+    let goal = Goal::Shape(target.iter().enumerate().map(|(i, place)| (NodeId::new(i), *place)).collect());
+    let before = goal.measure(&structure, std::slice::from_ref(&drawn), 0.0);
 
     // Every crease may be at rest at an angle of its own.
     let each = |i| Variable { members: Members::RestAngles(vec![i]), bounds: [-3.0, 3.0] };
     let variables: Vec<Variable> = (0..structure.hinges.len()).map(each).collect();
-    let found = structure.design(&drawn, 0.0, &variables, &Effort::default(), &mut distance)?;
+    let watched = [Watched { start: drawn, load_factor: 0.0 }];
+    let mut judge = |own: &Structure, states: &[Configuration]| goal.judge(own, states, 0.0);
+    let found = structure.design(&watched, &variables, &Effort::default(), &mut judge)?;
 
-    let rms = |value: f64| (2.0 * value / model.node_count() as f64).sqrt();
+    let after = goal.measure(&found.structure, &found.states, 0.0);
     println!("{} rest angles, {} equilibria", variables.len(), found.evaluations);
-    println!("vertices are {:.4} radii from the saddle, {:.4} before", rms(found.value), rms(before));
+    println!("vertices are {after:.4} radii from the saddle, {before:.4} before");
     Ok(())
 }

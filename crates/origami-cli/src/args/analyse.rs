@@ -35,6 +35,12 @@ Exit codes:
   1  bad input or usage
   3  no step led on: what is controlled turns back, or facets have met";
 
+const MODES_EXAMPLES: &str = "\
+Examples:
+  origami analyse modes kresling.fold press.json -n 12 -o out
+  origami analyse modes kresling.fold press.json --at out/frames.fold --at-frame 9 -n 3 -o loaded
+  origami analyse modes kresling.fold press.json -n 3 --animate modes.apng -o out";
+
 /// Analyse a sheet as a structure: held, loaded, and followed through snap-through.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -108,6 +114,10 @@ pub(crate) struct PathArgs {
     /// How many sheets on the way go into frames.fold, evenly spread over the points
     #[arg(long, value_name = "N", default_value_t = 50)]
     pub(crate) frames: usize,
+
+    /// A film of the sheets in frames.fold: a file of kind .apng or .gif, or .png for one file for each picture
+    #[arg(long, value_name = "OUT")]
+    pub(crate) animate: Option<PathBuf>,
 }
 
 /// Find the states without load on a path, and the barriers between them.
@@ -134,12 +144,13 @@ pub(crate) struct StiffnessArgs {
     pub(crate) subject: SubjectArgs,
 }
 
-/// Find how the sheet as drawn vibrates.
+/// Find how the sheet vibrates, as drawn or in a state of a path.
 ///
 /// Writes modes.json (eigenvalues, frequencies where the job has masses, and whether a mode folds creases, bends facets or
-/// stretches bars) and modes.fold (a frame for each mode, with the sheet moved by it). Supports hold; loads do not act.
+/// stretches bars) and modes.fold (a frame for each mode, with the sheet moved by it). Supports hold; on the sheet as drawn no
+/// loads act.
 #[derive(Args)]
-#[command(after_help = "Example:\n  origami analyse modes kresling.fold press.json -n 12 -o out")]
+#[command(after_help = MODES_EXAMPLES)]
 pub(crate) struct ModesArgs {
     /// What is analysed.
     #[command(flatten)]
@@ -152,6 +163,18 @@ pub(crate) struct ModesArgs {
     /// How far the node that moves farthest is moved in modes.fold, in radii of the sheet
     #[arg(long, value_name = "RADII", default_value_t = 0.1)]
     pub(crate) amplitude: f64,
+
+    /// Of a state under load: a frames.fold of `origami analyse path`, or another file of the same sheet
+    #[arg(long, value_name = "FILE")]
+    pub(crate) at: Option<PathBuf>,
+
+    /// Which frame of --at: 0 is the key frame, the sheet as drawn [default: the last]
+    #[arg(long, value_name = "N", value_parser = index, requires = "at")]
+    pub(crate) at_frame: Option<usize>,
+
+    /// A film of the modes, one after the other: a file of kind .apng or .gif, or .png for one file for each picture
+    #[arg(long, value_name = "OUT")]
+    pub(crate) animate: Option<PathBuf>,
 }
 
 /// Find at which load the sheet buckles, by linear analysis.

@@ -3,6 +3,7 @@
 mod adapters;
 mod analyse;
 mod convert;
+mod design;
 mod fold;
 mod hold;
 mod info;
@@ -27,6 +28,7 @@ pub(crate) use analyse::{Analysis, BucklingArgs, EquilibriaArgs, ModesArgs, Path
 pub(crate) use convert::ConvertArgs;
 #[cfg(feature = "formats")]
 pub(crate) use convert::LinesName;
+pub(crate) use design::DesignArgs;
 pub(crate) use fold::{
     ADAPTER_VARIABLE, BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs, is_named,
 };
@@ -77,6 +79,7 @@ Examples:
   origami sweep miura.fold --percent 0:100:5 -o out        Fold it in many ways
   origami study accuracy miura.fold -o out                 See how far to trust the solvers
   origami analyse path kresling.fold press.json -o out     Press it until it snaps, and further
+  origami design kresling.fold height.json -o out          Find the tube that snaps to a height
 
 Exit codes: 0 done, 1 bad input or usage, 2 the state diverged, 3 not converged.";
 
@@ -90,6 +93,7 @@ pub(crate) enum Command {
     Render(Box<RenderArgs>),
     Study(StudyArgs),
     Analyse(Box<AnalyseArgs>),
+    Design(Box<DesignArgs>),
     Info(InfoArgs),
     Pattern(PatternArgs),
     Adapters(AdaptersArgs),

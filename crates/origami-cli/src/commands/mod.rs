@@ -27,6 +27,7 @@ pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
         Command::Render(args) => render::run(&args),
         Command::Study(args) => study::run(&args),
         Command::Analyse(args) => analyse::run(&args),
+        Command::Design(args) => analyse::design(&args),
         Command::Info(args) => info::run(&args),
         Command::Pattern(args) => pattern::run(&args),
         Command::Adapters(args) => adapters::run(&args),

@@ -35,6 +35,7 @@ fn help_is_as_reviewed() {
     golden("analyse", &["analyse", "--help"]);
     golden("analyse-path", &["analyse", "path", "--help"]);
     golden("analyse-modes", &["analyse", "modes", "--help"]);
+    golden("design", &["design", "--help"]);
     golden("info", &["info", "--help"]);
     golden("pattern", &["pattern", "--help"]);
     golden("completions", &["completions", "--help"]);
@@ -43,8 +44,20 @@ fn help_is_as_reviewed() {
 
 #[test]
 fn every_command_shows_an_example() {
-    let commands =
-        ["fold", "sweep", "merge", "render", "study", "analyse", "info", "pattern", "adapters", "completions", "man"];
+    let commands = [
+        "fold",
+        "sweep",
+        "merge",
+        "render",
+        "study",
+        "analyse",
+        "design",
+        "info",
+        "pattern",
+        "adapters",
+        "completions",
+        "man",
+    ];
     for command in commands {
         let output = Command::cargo_bin("origami").unwrap().args([command, "--help"]).output().unwrap();
         let text = String::from_utf8(output.stdout).unwrap();

@@ -104,7 +104,60 @@ impl Tangent<'_> {
     }
 }
 
+impl Structure {
+    /// The derivative of the energy stored at `at` by what members are made of, where nothing moves.
+    pub(super) fn energy_slopes(&self, at: &Configuration) -> Gradient {
+        let mut slopes = Gradient::zero(self);
+        for (i, bar) in self.bars.iter().enumerate() {
+            let [from, to] = bar.nodes.map(|n| at.positions[n.index()]);
+            let length = from.distance(to);
+            let response = bar.law.respond(bar.rigidity, bar.rest_length, length);
+            slopes.rigidities[i] = response.energy / bar.rigidity;
+            // The energy is the rest length times a function of length over rest length.
+            slopes.rest_lengths[i] = (response.energy - response.slope * length) / bar.rest_length;
+        }
+        for (i, (hinge, angle)) in self.hinges.iter().zip(&at.fold_angles).enumerate() {
+            let unit = hinge.law.respond(1.0, hinge.rest_angle, *angle);
+            slopes.hinge_stiffnesses[i] = unit.energy;
+            slopes.rest_angles[i] = -hinge.stiffness
+                * match hinge.law {
+                    // What makes it stiffer does not know where it is at rest.
+                    HingeLaw::Linear | HingeLaw::Stiffened { .. } => angle - hinge.rest_angle,
+                    HingeLaw::Power { .. } => unit.slope,
+                };
+        }
+        slopes
+    }
+}
+
 impl Gradient {
+    /// Nothing changes with anything.
+    pub(super) fn zero(structure: &Structure) -> Self {
+        let (bars, hinges, nodes) = (structure.bars.len(), structure.hinges.len(), structure.nodes.len());
+        Self {
+            rest_angles: vec![0.0; hinges],
+            hinge_stiffnesses: vec![0.0; hinges],
+            rest_lengths: vec![0.0; bars],
+            rigidities: vec![0.0; bars],
+            loads: vec![DVec3::ZERO; nodes],
+            load_factor: 0.0,
+            held: vec![DVec3::ZERO; nodes],
+        }
+    }
+
+    /// Adds `share` times another one of the same structure.
+    pub(super) fn add(&mut self, share: f64, other: &Self) {
+        let add = |own: &mut [f64], other: &[f64]| own.iter_mut().zip(other).for_each(|(x, o)| *x += share * o);
+        add(&mut self.rest_angles, &other.rest_angles);
+        add(&mut self.hinge_stiffnesses, &other.hinge_stiffnesses);
+        add(&mut self.rest_lengths, &other.rest_lengths);
+        add(&mut self.rigidities, &other.rigidities);
+        let add = |own: &mut [DVec3], other: &[DVec3]| own.iter_mut().zip(other).for_each(|(x, o)| *x += *o * share);
+        add(&mut self.loads, &other.loads);
+        add(&mut self.held, &other.held);
+        self.load_factor += share * other.load_factor;
+    }
+
     /// The gradient by the drawn position of each node, where rest lengths and rest angles are those of the drawn sheet and
     /// stiffnesses of hinges grow with their length; supports hold where nodes are drawn.
     ///

@@ -1,6 +1,6 @@
 //! Inverse design: what is found is as wanted, by what is known of it.
 
-use origami_core::analysis::{Effort, Members, Variable};
+use origami_core::analysis::{Axis, Effort, Goal, Judgement, Members, Variable, Watched};
 use origami_core::glam::DVec3;
 use origami_core::ids::NodeId;
 use origami_core::scene::Axes;
@@ -17,21 +17,21 @@ fn a_kresling_has_its_second_state_at_the_height_wanted() {
     let kind = |k: usize| Members::RestLengths((0..SIDES as usize).map(|i| 3 * i + k).collect());
     let variables = [0, 1].map(|k| Variable { members: kind(k), bounds: [1.0, 3.0] });
     let wanted = 0.9;
-    let mut objective = |at: &origami_core::analysis::Configuration| {
-        let top = &at.positions[SIDES as usize..];
-        let height = top.iter().map(|p| p.z).sum::<f64>() / f64::from(SIDES);
-        let mut by_positions = vec![DVec3::ZERO; at.positions.len()];
-        by_positions[SIDES as usize..].fill(DVec3::Z * ((height - wanted) / f64::from(SIDES)));
-        (0.5 * (height - wanted).powi(2), by_positions)
-    };
+    let of = (SIDES..2 * SIDES).map(NodeId).collect();
+    let goals = [(1.0, Goal::Height { of, above: Vec::new(), axis: Axis::Z, wanted })];
     let effort = Effort { enough: 1e-20, ..Effort::default() };
-    let found = first.design(&second, 0.0, &variables, &effort, &mut objective).expect("a design");
+    let watched = [Watched { start: second, load_factor: 0.0 }];
+    let mut judge = |own: &_, states: &[_]| Goal::judge_all(&goals, own, states, 0.0);
+    let found = first.design(&watched, &variables, &effort, &mut judge).expect("a design");
+    // It never rises, and the history ends with what was found.
+    assert!(found.history.windows(2).all(|pair| pair[1].value < pair[0].value), "{:?}", found.history);
+    assert_eq!(found.history.last().map(|last| last.value), Some(found.value));
     assert!(found.value <= 1e-20, "{found:?}");
-    let top = &found.at.positions[SIDES as usize..];
+    let top = &found.states[0].positions[SIDES as usize..];
     assert!(top.iter().all(|p| (p.z - wanted).abs() < 1e-9), "{top:?}");
     // It is stress-free there, and so is the first state: its height by the closed form
     // z1^2 = z2^2 - 4 cos(pi / N) cos(psi2 + pi / N).
-    assert!(found.structure.energies(&found.at).total() < 1e-20);
+    assert!(found.structure.energies(&found.states[0]).total() < 1e-20);
     let half = std::f64::consts::PI / f64::from(SIDES);
     let turn = top[0].y.atan2(top[0].x);
     let height = (wanted * wanted - 4.0 * half.cos() * (turn + half).cos()).sqrt();
@@ -53,29 +53,53 @@ fn rest_angles_are_found_that_give_a_shape() {
     bent.hinges.iter_mut().enumerate().for_each(|(i, hinge)| hinge.rest_angle += 0.1 * (1.0 + i as f64).sin());
     let drawn = flat.as_drawn();
     let target = bent.equilibrium(&drawn, 0.0).expect("an equilibrium").positions;
-    let mut objective = |at: &origami_core::analysis::Configuration| {
-        let by_positions: Vec<DVec3> = at.positions.iter().zip(&target).map(|(p, t)| *p - *t).collect();
-        (0.5 * by_positions.iter().map(|d| d.length_squared()).sum::<f64>(), by_positions)
-    };
-    let start = objective(&drawn).0;
+    let places = target.iter().enumerate().map(|(i, p)| (NodeId::new(i), *p)).collect();
+    let goals = [(1.0, Goal::Shape(places))];
+    let mut judge = |own: &_, states: &[_]| Goal::judge_all(&goals, own, states, 0.0);
+    let start = judge(&flat, std::slice::from_ref(&drawn)).value;
     let each = |i| Variable { members: Members::RestAngles(vec![i]), bounds: [-3.0, 3.0] };
     let variables: Vec<Variable> = (0..flat.hinges.len()).map(each).collect();
-    let found = flat.design(&drawn, 0.0, &variables, &Effort::default(), &mut objective).expect("a design");
+    let found = flat
+        .design(&[Watched { start: drawn, load_factor: 0.0 }], &variables, &Effort::default(), &mut judge)
+        .expect("a design");
     assert!(found.value < 1e-5 * start, "from {start} to {} in {}", found.value, found.evaluations);
 }
 
 #[test]
 fn a_variable_of_nothing_is_refused() {
     let structure = kresling(1.5, 0.7);
-    let drawn = structure.as_drawn();
-    let mut nothing = |at: &origami_core::analysis::Configuration| (0.0, vec![DVec3::ZERO; at.positions.len()]);
+    let watched = [Watched { start: structure.as_drawn(), load_factor: 0.0 }];
+    let mut nothing = |_: &_, _: &[_]| Judgement::default();
+    let turned = |node| Members::Turned { nodes: vec![NodeId(node)], about: DVec3::ZERO, axis: DVec3::Z };
+    let twice = [7, 7].map(|node| Variable { members: turned(node), bounds: [0.0, 1.0] });
+    let refused =
+        structure.design(&watched, &twice, &Effort::default(), &mut nothing).expect_err("refused").to_string();
+    assert!(refused.starts_with("variables[1].members: node 7 is turned by two variables"), "{refused}");
     for (members, bounds, told) in [
+        (turned(12), [0.0, 1.0], "variables[0].members: node 12; expected a node of the structure"),
         (Members::RestAngles(vec![0]), [0.0, 1.0], "variables[0].members: member 0; expected a hinge or bar"),
         (Members::RestLengths(Vec::new()), [0.0, 1.0], "variables[0]: 0 members between 0 and 1"),
         (Members::RestLengths(vec![1]), [2.0, 1.0], "variables[0]: 1 members between 2 and 1"),
     ] {
         let variables = [Variable { members, bounds }];
-        let refused = structure.design(&drawn, 0.0, &variables, &Effort::default(), &mut nothing).expect_err("refused");
+        let refused = structure.design(&watched, &variables, &Effort::default(), &mut nothing).expect_err("refused");
         assert!(refused.to_string().starts_with(told), "{refused}");
     }
+}
+
+#[test]
+fn a_design_of_a_singular_state_is_refused() {
+    use std::ops::ControlFlow;
+
+    use origami_core::analysis::{Event, Path, Refused, Start};
+    let mut tube = kresling(1.5, 40_f64.to_radians());
+    tube.loads.points = (SIDES..2 * SIDES).map(|i| (NodeId(i), -DVec3::Z)).collect();
+    let trace = tube.trace(&Start::default(), &Path::steps(60), &mut |_| ControlFlow::Continue(())).expect("a path");
+    let limit = trace.points.iter().find(|p| matches!(p.event, Event::LimitPoint { .. })).expect("a limit");
+    let watched = [Watched { start: limit.configuration.clone(), load_factor: limit.load_factor }];
+    let variables = [Variable { members: Members::RestLengths(vec![0]), bounds: [1.0, 3.0] }];
+    let goals = [(1.0, Goal::Compliance)];
+    let mut judge = |own: &_, states: &[_]| Goal::judge_all(&goals, own, states, limit.load_factor);
+    let refused = tube.design(&watched, &variables, &Effort::default(), &mut judge).expect_err("refused");
+    assert!(matches!(refused, Refused::Singular { .. }), "{refused}");
 }

@@ -165,13 +165,49 @@ fn what_is_wrong_with_a_job_is_told_by_key() {
         let got = changed(path, value);
         assert!(got.starts_with(told), "{path}: {got}");
     }
-    let mut torn = job();
-    torn["supports"]
-        .as_array_mut()
-        .expect("a list")
-        .push(json!({"on": {"vertices": [0]}, "displacement": [null, null, 1]}));
-    let got = setup(&kresling(1.0), &torn).expect_err("refused");
-    assert!(got.contains("node 0 along z is held at 0 and at 1"), "{got}");
+    for (path, value, told) in [
+        ("/crease", json!({"law": "stiffened", "from": [300, 45], "k": 1}), "crease.from: is from 300 to 45; expected"),
+        ("/facet", json!({"law": "stiffened", "from": 190, "k": 1}), "facet.from: is from 190 to 170; expected"),
+        (
+            "/supports",
+            json!([{"on": {"vertices": [0]}, "fixed": true},
+            {"on": {"vertices": [0]}, "displacement": [null, null, 1]}]),
+            "supports[1]: vertex 0 is held at 0 and at 1 along z; expected one displacement",
+        ),
+        (
+            "/supports",
+            json!([{"on": {"vertices": [1]}, "displacement": [2, null, null]},
+            {"on": {"vertices": [0, 1]}, "displacement": [3, null, null]}, {"on": {"vertices": [1]}, "fixed": "y"}]),
+            "supports[1]: vertex 1 is held at 2 and at 3 along x; expected one displacement",
+        ),
+    ] {
+        let got = changed(path, value);
+        assert!(got.starts_with(told), "{path}: {got}");
+    }
+    let mut heavy = job();
+    heavy["masses"] = json!([{"on": {"box": [[null, null, null], [null, null, null]]}, "mass": 2}]);
+    let got = setup(&kresling(1.0), &heavy).expect_err("refused");
+    assert!(got.starts_with("units.mass: is missing; expected that of the masses"), "{got}");
+    let mut file = kresling(1.0);
+    file["frame_unit"] = json!("mm");
+    let got = setup(&file, &job()).expect_err("refused");
+    assert!(got.starts_with("units.length: is `unit`; expected a length: the file's is `mm`"), "{got}");
+    let mut file = kresling(1.0);
+    file["edges_vertices"] = json!([[0, 8], [0, 1]]);
+    for (key, value, told) in [
+        (
+            "edges_origami:rest_length",
+            json!([null, -1]),
+            "edges_origami:rest_length[1]: is -1; expected a length above 0",
+        ),
+        ("edges_origami:rest_angle", json!([30, 20]), "edges_origami:rest_angle[1]: is 20; expected an angle"),
+        ("edges_origami:rest_angle", json!(["flat"]), "edges_origami:rest_angle[0]: is \"flat\"; expected an angle"),
+    ] {
+        let mut file = file.clone();
+        file[key] = value;
+        let got = setup(&file, &job()).expect_err("refused");
+        assert!(got.starts_with(told), "{key}: {got}");
+    }
     let mut unknown = job();
     unknown.as_object_mut().expect("an object").remove("units");
     unknown["sheet"] = json!({"E": 1, "nu": 0.3, "t": 1});
@@ -181,4 +217,81 @@ fn what_is_wrong_with_a_job_is_told_by_key() {
     file["vertices_origami:load"] = json!([null, [0, 1]]);
     let got = setup(&file, &job()).expect_err("refused");
     assert!(got.starts_with("vertices_origami:load[1]: is [0,1]; expected [fx, fy, fz]"), "{got}");
+}
+
+#[test]
+fn what_is_wrong_with_a_design_is_told_by_key() {
+    let design = json!({
+        "goals": [{"height": {"of": {"vertices": [8]}, "above": {"vertices": [0]}, "wanted": 0.5}}],
+        "variables": [{"rest_lengths": [0], "bounds": [0.5, 2]}]
+    });
+    let mut file = kresling(1.0);
+    file["edges_vertices"] = json!([[0, 8], [0, 1], [0, 9], [1, 9], [8, 9]]);
+    let told = |design: Value| {
+        let mut job = job();
+        job["path"]["steps"] = json!(60);
+        job["design"] = design;
+        let (document, pattern, model) = read(&file);
+        let job = match Job::from_slice(job.to_string().as_bytes()) {
+            Ok(job) => job,
+            Err(error) => return error.to_string(),
+        };
+        let setup = job.setup(&document.key_frame, &pattern, &model).expect("a job");
+        let found = job.design_setup(&setup, &pattern, &model).map_err(|error| error.to_string());
+        let watched = found.and_then(|design| design.watched(&setup).map_err(|refused| refused.to_string()));
+        watched.map(|all| format!("{} watched", all.len())).unwrap_or_else(|told| told)
+    };
+    assert_eq!(told(design.clone()), "1 watched");
+    assert!(told(Value::Null).starts_with("design: is missing; expected `goals`"));
+    for (path, value, wanted) in [
+        ("/goals", json!([]), "design.goals: is missing; expected one or more"),
+        ("/variables", json!([]), "design.variables: is missing; expected one or more"),
+        ("/goals/0", json!({}), "design.goals[0]: has no goal, or several; expected `shape`"),
+        ("/goals/0", json!({"barrier": 1, "compliance": true}), "design.goals[0]: has no goal, or several"),
+        ("/goals/0/weight", json!(0), "design.goals[0].weight: is 0; expected a number above 0"),
+        ("/goals/0", json!({"shape": [[99, [0, 0, 0]]]}), "design.goals[0].shape[0]: is vertex 99"),
+        ("/goals/0", json!({"shape": []}), "design.goals[0].shape: is empty"),
+        (
+            "/goals/0",
+            json!({"fold_angle": {"edge": 1, "wanted": 3}}),
+            "design.goals[0].fold_angle.edge[0]: is edge 1; expected an edge between two faces",
+        ),
+        ("/goals/0/height/of", json!({"vertices": [77]}), "design.goals[0].height.of.vertices[0]: is vertex 77"),
+        ("/variables/0/bounds", json!([2, 1]), "design.variables[0].bounds: is [2, 1]; expected two numbers in order"),
+        ("/variables/0", json!({"bounds": [0, 1]}), "design.variables[0]: changes nothing, or several things"),
+        (
+            "/variables/0/rest_lengths",
+            json!([9]),
+            "design.variables[0].rest_lengths[0]: is edge 9; expected an edge, of the file's 5",
+        ),
+        (
+            "/variables/0/rest_lengths",
+            json!("facets"),
+            "design.variables[0].rest_lengths: no edge of the file is meant",
+        ),
+        (
+            "/variables/0",
+            json!({"move": {"vertices": [8]}, "bounds": [0, 1]}),
+            "design.variables[0].along: is no direction",
+        ),
+        (
+            "/variables/0",
+            json!({"stiffnesses": [0, 2], "together": true, "bounds": [0, 1]}),
+            "design.variables[0].stiffnesses: edges 0 and 2 differ in length",
+        ),
+        ("/state", json!(7), "design.state: state 7 of "),
+        ("/goals/0", json!({"barrier": 1}), "design.state: states 0 and 1 have indices 0 and 4; expected 0 and 1"),
+        ("/load_factor", json!(1e9), "design.load_factor: 1000000000 is not reached"),
+    ] {
+        let mut changed = design.clone();
+        match changed.pointer_mut(path) {
+            Some(own) => *own = value,
+            None => {
+                let (parent, key) = path.rsplit_once('/').expect("a path");
+                changed.pointer_mut(parent).expect("a parent")[key] = value;
+            }
+        }
+        let got = told(changed);
+        assert!(got.starts_with(wanted), "{path}: {got}");
+    }
 }

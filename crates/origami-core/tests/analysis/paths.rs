@@ -237,6 +237,21 @@ fn controls_meet_the_same_states() {
 }
 
 #[test]
+fn an_end_that_a_step_meets_exactly_is_one() {
+    let (structure, apex) = (truss(BarLaw::Linear), Dof::new(NodeId(2), Axis::Z));
+    let before = trace(&structure, &Path::steps(6));
+    let last = before.points.last().expect("some");
+    assert_eq!(last.event, Event::Step);
+    for until in
+        [Until::LoadFactor(last.load_factor), Until::Displacement(apex, last.displacement(&structure.nodes, apex))]
+    {
+        let again = trace(&structure, &Path::steps(20).until(until));
+        assert_eq!((again.ended, again.points.len()), (Ended::Reached, before.points.len()), "{until:?}");
+        assert_eq!(again.points.last().map(|p| p.load_factor), Some(last.load_factor));
+    }
+}
+
+#[test]
 fn a_path_taken_up_again_is_the_same() {
     let (structure, top) = (case(KRESLING), dof(26));
     let path = Path::steps(500).until(Until::Displacement(top, -0.7));

@@ -5,13 +5,10 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::report::{Laws, Units};
-use super::subject::Subject;
+use super::subject::{LOAD_FACTOR, Subject};
 use crate::args::BucklingArgs;
 use crate::exit::{Exit, Failure};
 use crate::numbers::plain;
-
-/// Own key: the critical load of a frame.
-const LOAD_FACTOR: &str = "origami:loadFactor";
 
 #[derive(Serialize)]
 struct Report<'a> {
@@ -29,7 +26,9 @@ pub(super) fn run(args: &BucklingArgs) -> Result<Exit, Failure> {
     }
     let subject = Subject::read(&args.subject, "buckling.json")?;
     let found = subject.setup.structure.buckling(args.count).map_err(|refused| subject.refused(&refused))?;
-    let states: Vec<Configuration> = found.iter().map(|own| subject.moved(&own.shape, args.amplitude)).collect();
+    let drawn = subject.setup.structure.as_drawn();
+    let states: Vec<Configuration> =
+        found.iter().map(|own| subject.moved(&drawn, &own.shape, args.amplitude)).collect();
     let loads = found.iter().map(|own| Value::from(own.load_factor));
     subject.write_frames("buckling.fold", states.iter().zip(loads).map(|(state, load)| (state, LOAD_FACTOR, load)))?;
     let report = Report {

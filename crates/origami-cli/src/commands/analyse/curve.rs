@@ -2,12 +2,14 @@
 
 use std::fmt::Write;
 
+use origami::Model;
 use origami::analysis::job::Setup;
 use origami::analysis::{Event, Point, Trace};
 use origami::study::{Axis, Mark, Plot, Scale, Series};
 
-/// CSV (RFC 4180) with a line of keys; numbers read back as the same bits. Reactions are those of moved supports.
-pub(super) fn csv(setup: &Setup, trace: &Trace) -> String {
+/// CSV (RFC 4180) with a line of keys; numbers read back as the same bits. Reactions are those of moved supports, by vertex of
+/// the file and axis.
+pub(super) fn csv(setup: &Setup, model: &Model, trace: &Trace) -> String {
     let structure = &setup.structure;
     let mut text = String::from("step,event,load_factor");
     // Writing to a string cannot fail.
@@ -15,7 +17,8 @@ pub(super) fn csv(setup: &Setup, trace: &Trace) -> String {
         let _ = write!(text, ",u_{vertex}_{}", dof.axis.name());
     }
     for (dof, _) in &structure.supports.moved {
-        let _ = write!(text, ",reaction_{}_{}", dof.node.0, dof.axis.name());
+        let vertex = model.mesh.vertex_of_node[dof.node.index()];
+        let _ = write!(text, ",reaction_{}_{}", vertex.0, dof.axis.name());
     }
     text.push_str(",energy_bars,energy_creases,energy_facets,energy_corners,energy_total,work,negative");
     text.push_str(",nearest_eigenvalue,residual,arc\r\n");

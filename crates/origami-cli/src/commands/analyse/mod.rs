@@ -1,4 +1,4 @@
-//! `origami analyse`: sheets as structures.
+//! `origami analyse` and `origami design`: sheets as structures.
 
 #[cfg(not(feature = "analysis"))]
 mod absent;
@@ -6,6 +6,8 @@ mod absent;
 mod buckling;
 #[cfg(feature = "analysis")]
 mod curve;
+#[cfg(feature = "analysis")]
+mod design;
 #[cfg(feature = "analysis")]
 mod equilibria;
 #[cfg(feature = "analysis")]
@@ -22,6 +24,6 @@ mod stiffness;
 mod subject;
 
 #[cfg(not(feature = "analysis"))]
-pub(super) use absent::run;
+pub(super) use absent::{design, run};
 #[cfg(feature = "analysis")]
-pub(super) use present::run;
+pub(super) use {design::run as design, present::run};

@@ -7,10 +7,14 @@ use serde_json::Value;
 use super::report::{Laws, Units};
 use super::subject::Subject;
 use crate::args::ModesArgs;
+use crate::draw;
 use crate::exit::{Exit, Failure};
 
 /// Own key: the number of a frame's mode.
 const MODE: &str = "origami:mode";
+
+/// Pictures of a period of a mode.
+const PERIOD: u32 = 16;
 
 #[derive(Serialize)]
 struct Report<'a> {
@@ -18,6 +22,8 @@ struct Report<'a> {
     input: &'a str,
     units: Units<'a>,
     laws: Laws,
+    /// That of the state that vibrates.
+    load_factor: f64,
     /// How many of the modes move freely, fold creases, bend facets and stretch bars.
     counts: [(ModeKind, usize); 4],
     modes: Vec<Entry>,
@@ -39,11 +45,23 @@ pub(super) fn run(args: &ModesArgs) -> Result<Exit, Failure> {
     if !args.amplitude.is_finite() {
         return Err(format!("--amplitude {}: expected a finite number", args.amplitude).into());
     }
+    args.animate.as_deref().map_or(Ok(()), draw::check_film)?;
     let subject = Subject::read(&args.subject, "modes.json")?;
     let setup = &subject.setup;
-    let drawn = setup.structure.as_drawn();
-    let modes = setup.structure.modes(&drawn, 0.0, args.count).map_err(|refused| subject.refused(&refused))?;
-    let states: Vec<Configuration> = modes.iter().map(|mode| subject.moved(&mode.shape, args.amplitude)).collect();
+    let (at, load_factor) = match &args.at {
+        Some(path) => subject.state_in(path, args.at_frame)?,
+        None => (setup.structure.as_drawn(), 0.0),
+    };
+    let modes = setup.structure.modes(&at, load_factor, args.count).map_err(|refused| subject.refused(&refused))?;
+    let states: Vec<Configuration> = modes.iter().map(|mode| subject.moved(&at, &mode.shape, args.amplitude)).collect();
+    if let Some(path) = &args.animate {
+        // One after the other, each to and fro.
+        let stages = modes.iter().flat_map(|mode| (0..PERIOD).map(move |k| (mode, f64::from(k) / f64::from(PERIOD))));
+        let moved = |(mode, time): (&Mode, f64)| {
+            subject.moved(&at, &mode.shape, args.amplitude * (std::f64::consts::TAU * time).sin())
+        };
+        subject.write_film(path, &stages.map(moved).collect::<Vec<Configuration>>())?;
+    }
     subject.write_frames("modes.fold", states.iter().enumerate().map(|(i, state)| (state, MODE, Value::from(i))))?;
     let frequency = |mode: &Mode| {
         let vibrates = mode.kind != ModeKind::Free && mode.eigenvalue > 0.0;
@@ -62,6 +80,7 @@ pub(super) fn run(args: &ModesArgs) -> Result<Exit, Failure> {
         input: &subject.name,
         units: Units::of(&subject),
         laws: Laws::of(&subject),
+        load_factor,
         counts,
         modes: modes.iter().map(entry).collect(),
     };

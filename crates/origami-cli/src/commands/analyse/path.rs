@@ -4,20 +4,19 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Duration;
 
-use origami::analysis::{Ended, Event, Point, Start, Trace};
+use origami::analysis::{Configuration, Ended, Event, Point, Start, Trace};
 
-use super::subject::Subject;
+use super::subject::{LOAD_FACTOR, Subject};
 use super::{curve, report};
 use crate::args::PathArgs;
+use crate::draw;
 use crate::exit::{Exit, Failure};
 use crate::numbers::{count, duration};
 use crate::stopwatch::Stopwatch;
 
-/// Own key: by how much the loads are multiplied in a frame.
-const LOAD_FACTOR: &str = "origami:loadFactor";
-
 /// Follows a path and writes what there is on it.
 pub(super) fn run(args: &PathArgs) -> Result<Exit, Failure> {
+    args.animate.as_deref().map_or(Ok(()), draw::check_film)?;
     let start = match &args.restart {
         Some(path) => report::start(path, args.branch)?,
         None => Start::default(),
@@ -26,13 +25,15 @@ pub(super) fn run(args: &PathArgs) -> Result<Exit, Failure> {
     let mut watch = Stopwatch::start();
     let trace = follow(&subject, &start)?;
     let seconds = watch.lap();
-    subject.write("curve.csv", curve::csv(&subject.setup, &trace).as_bytes())?;
+    subject.write("curve.csv", curve::csv(&subject.setup, &subject.model, &trace).as_bytes())?;
     subject.write("curve.svg", curve::svg(&subject.setup, &trace, &subject.name)?.as_bytes())?;
-    let shown = spread(&trace.points, args.frames).into_iter();
-    subject.write_frames(
-        "frames.fold",
-        shown.map(|point| (&point.configuration, LOAD_FACTOR, point.load_factor.into())),
-    )?;
+    let shown = spread(&trace.points, args.frames);
+    let frames = shown.iter().map(|point| (&point.configuration, LOAD_FACTOR, point.load_factor.into()));
+    subject.write_frames("frames.fold", frames)?;
+    if let Some(path) = &args.animate {
+        let states: Vec<Configuration> = shown.iter().map(|point| point.configuration.clone()).collect();
+        subject.write_film(path, &states)?;
+    }
     subject.write_json("path.json", &report::Report::of(&subject, &trace))?;
     subject.say(&summary(&subject.output, &trace, Duration::from_secs_f64(seconds)))?;
     Ok(if trace.ended == Ended::Stuck { Exit::NotConverged } else { Exit::Done })

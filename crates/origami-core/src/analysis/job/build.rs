@@ -5,8 +5,9 @@ use glam::DVec3;
 use super::keys::{self, press};
 use super::masses;
 use super::pick::node_of;
-use super::{ControlJob, ControlName, Job, PathJob, Units};
-use crate::analysis::{Axis, BarLaw, Configuration, Control, Dof, Path, Structure, Until};
+use super::rest;
+use super::{ControlJob, ControlName, Job, PathJob, SupportJob, Units};
+use crate::analysis::{Axis, BarLaw, Configuration, Control, Dof, Path, Refused, Structure, Until};
 use crate::error::{Error, ErrorCode, Place};
 use crate::fold::Frame;
 use crate::model::Model;
@@ -49,6 +50,7 @@ impl Job {
         structure.nodes.iter_mut().for_each(|p| *p *= radius);
         structure.bars.iter_mut().for_each(|bar| bar.rest_length *= radius);
         self.set_members(&mut structure, pattern, model, radius)?;
+        rest::set(frame, pattern, model, &mut structure)?;
         keys::add(frame, pattern, model, &mut structure)?;
         self.hold(&mut structure, pattern, model)?;
         self.load(&mut structure, pattern, model)?;
@@ -84,8 +86,25 @@ impl Job {
         let units = self.units.as_ref().map(|units| (units.length.clone(), units.force.clone()));
         let (length, force) = units.unwrap_or_else(|| ("radii".to_owned(), "the model's".to_owned()));
         let hertz = self.units.as_ref().and_then(Units::hertz).filter(|_| !structure.masses.is_empty());
-        structure.check().map_err(|refused| Error::invalid("the job", refused.to_string(), "another one"))?;
+        structure.check().map_err(|refused| self.wrong(&refused, pattern, model))?;
         Ok(Setup { structure, path, monitors, length, force, hertz, radius })
+    }
+
+    /// What a structure is refused for, by the job's key.
+    fn wrong(&self, refused: &Refused, pattern: &CreasePattern, model: &Model) -> Error {
+        let Refused::Contradiction { dof, one, other } = refused else {
+            return Error::invalid("the job", refused.to_string(), "another one");
+        };
+        let is_own = |support: &SupportJob| {
+            let axis = dof.axis.index();
+            let moves = support.fixed.0.to_array()[axis] || support.displacement[axis].is_some();
+            moves && support.on.nodes("", pattern, model).is_ok_and(|nodes| nodes.contains(&dof.node))
+        };
+        let last = self.supports.iter().rposition(is_own);
+        let place = last.map_or_else(|| keys::DISPLACEMENT.to_owned(), |i| format!("supports[{i}]"));
+        let vertex = model.mesh.vertex_of_node[dof.node.index()];
+        let problem = format!("vertex {} is held at {one} and at {other} along {}", vertex.0, dof.axis.name());
+        Error::new(ErrorCode::WrongValue, Place::key(place), problem, "one displacement of each vertex and axis")
     }
 
     fn hold(&self, structure: &mut Structure, pattern: &CreasePattern, model: &Model) -> Result<(), Error> {

@@ -17,7 +17,7 @@ use crate::pattern::keys::FIXED;
 /// For each vertex its load at load factor 1, `[fx, fy, fz]`.
 const LOAD: &str = "vertices_origami:load";
 /// For each vertex how far it is moved at load factor 1, `[null, null, -3]`.
-const DISPLACEMENT: &str = "vertices_origami:displacement";
+pub(super) const DISPLACEMENT: &str = "vertices_origami:displacement";
 /// For each face the pressure on its front at load factor 1.
 const PRESSURE: &str = "faces_origami:pressure";
 

@@ -69,6 +69,10 @@ pub(super) fn set(
         let expected = "a mass at each vertex, or none at all; `sheet.density` gives each its share";
         return Err(Error::new(ErrorCode::MissingKey, Place::key("masses"), problem, expected));
     }
+    if job.units.as_ref().is_some_and(|units| units.mass.is_none()) {
+        let expected = "that of the masses: `kg`, `g`, `mg`, `t` or `unit`";
+        return Err(Error::new(ErrorCode::MissingKey, Place::key("units.mass"), "is missing", expected));
+    }
     structure.masses = masses;
     Ok(())
 }

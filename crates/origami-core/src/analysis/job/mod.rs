@@ -3,16 +3,22 @@
 
 mod axes;
 mod build;
+mod design;
+mod edges;
 mod keys;
 mod masses;
 mod members;
 mod pick;
+mod rest;
 mod sheet;
 mod units;
 
 pub use axes::HeldAxes;
 pub use build::Setup;
+pub use design::{DesignJob, DesignSetup, FoldAngleJob, GoalJob, HeightJob, VariableJob};
+pub use edges::{Edges, EdgesName};
 pub use pick::Pick;
+pub use rest::keys_of;
 pub use sheet::SheetMaterial;
 pub use units::Units;
 
@@ -55,6 +61,9 @@ pub struct Job {
     pub masses: Vec<MassJob>,
     /// The path that is followed.
     pub path: PathJob,
+    /// What is to be designed. Default: nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub design: Option<DesignJob>,
 }
 
 /// Masses of vertices.

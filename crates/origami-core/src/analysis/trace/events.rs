@@ -69,8 +69,10 @@ impl Step<'_> {
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let end = found.iter().position(|(_, _, event)| *event == Event::End);
         found.truncate(end.map_or(found.len(), |end| end + 1));
+        // What happens exactly where a step ends stands for its end.
+        let at_end = found.last().is_some_and(|(length, _, _)| *length == self.length);
         let mut events: Vec<(Stand, Event)> = found.into_iter().map(|(_, stand, event)| (stand, event)).collect();
-        if end.is_none() {
+        if end.is_none() && !at_end {
             events.push((self.to.clone(), Event::Step));
         }
         events
@@ -91,10 +93,13 @@ impl Step<'_> {
         walker.correct(self.from, self.measure, length, guess)
     }
 
-    /// Where `value` passes 0 within the step, if it has different signs at its ends: by the Illinois method, a false position
-    /// that does not stick to one end.
+    /// Where `value` passes 0 within the step, if it has different signs at its ends, or is 0 at its end: by the Illinois
+    /// method, a false position that does not stick to one end.
     fn zero_of(&self, walker: &mut Walker<'_>, value: impl Fn(&Walker<'_>, &Stand) -> f64) -> Option<(f64, Stand)> {
         let (mut a, mut b) = ((0.0, value(walker, self.from)), (self.length, value(walker, self.to)));
+        if b.1 == 0.0 && a.1 != 0.0 {
+            return Some((self.length, self.to.clone()));
+        }
         let passes = a.1 * b.1 < 0.0;
         if !passes {
             return None;

@@ -40,12 +40,12 @@ fn paths(c: &mut Criterion) {
 }
 
 /// A Miura sheet with bumps, without stress, held along one side and pressed in the middle.
-fn sheet(panels: u32) -> Structure {
+fn sheet(panels: usize) -> Structure {
     let pattern = generate::miura(panels, panels).expect("a pattern");
     let model = Model::new(&pattern, &Material::default()).expect("a model");
     let mut structure = Structure::of(&model);
     structure.corners.clear();
-    let step = 1.0 / f64::from(panels);
+    let step = 1.0 / panels as f64;
     let bump = |(i, p): (usize, &DVec3)| *p + DVec3::Z * (0.3 * step * (1.0 + 7.0 * i as f64).sin());
     structure = structure.redrawn(structure.nodes.iter().enumerate().map(bump).collect());
     let left = structure.nodes.iter().map(|p| p.x).fold(f64::INFINITY, f64::min);

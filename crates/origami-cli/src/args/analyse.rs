@@ -135,7 +135,7 @@ pub(crate) struct EquilibriaArgs {
 /// Find how the sheet as drawn answers to the first bit of its load.
 ///
 /// Writes stiffness.json: displacements, reactions and compliance (the work of the load) for a load factor of 1 by linear
-/// analysis.
+/// analysis. Where the job has a `cell`, by which the sheet repeats itself, it also has the moduli of the whole sheet.
 #[derive(Args)]
 #[command(after_help = "Example:\n  origami analyse stiffness kresling.fold press.json -o out")]
 pub(crate) struct StiffnessArgs {

@@ -124,6 +124,57 @@ mod present {
     }
 
     #[test]
+    fn a_loaded_state_vibrates_otherwise_and_is_filmed() {
+        let place = pyramid();
+        place.run("analyse path pyramid.fold press.json --frames 5 --animate out/path.gif -q -o out").succeeds();
+        assert!(cfg!(not(feature = "render")) || place.has("out/path.gif"));
+        let frames = place.json("out/frames.fold");
+        let frames = frames["file_frames"].as_array().unwrap();
+        assert_eq!(frames.len(), 5);
+        let job = place.text("press.json").replace("\"force\": \"N\"", "\"force\": \"N\", \"mass\": \"g\"");
+        let heavy = "\"masses\": [{\"on\": {\"vertices\": [0, 1, 2, 3, 4]}, \"mass\": 2}], \"supports\"";
+        place.put("heavy.json", &job.replacen("\"supports\"", heavy, 1));
+        let lowest = |options: &str| {
+            place.run(&format!("analyse modes pyramid.fold heavy.json -n 1 -q -o out {options}")).succeeds();
+            place.json("out/modes.json")
+        };
+        let value = |report: &serde_json::Value| report["modes"][0]["eigenvalue"].as_f64().unwrap();
+        let drawn = lowest("");
+        assert_eq!(drawn["load_factor"], 0.0);
+        // The first frame is as drawn; on the way through one direction is unstable.
+        let first = lowest("--at out/frames.fold --at-frame 1 --animate out/modes.apng");
+        assert!((value(&first) / value(&drawn) - 1.0).abs() < 1e-9, "{first}");
+        let unstable = (1..=5).filter(|i| value(&lowest(&format!("--at out/frames.fold --at-frame {i}"))) < 0.0);
+        assert!(unstable.count() > 0);
+        let last = lowest("--at out/frames.fold");
+        assert_eq!(last["load_factor"], frames[4]["origami:loadFactor"]);
+        place
+            .run("analyse modes pyramid.fold heavy.json --at square.fold -o out")
+            .fails(1, "square.fold: vertices_coords: has 4; expected the sheet's 5");
+        place
+            .run("analyse path pyramid.fold press.json --animate film.mp4 -o out")
+            .fails(1, "film.mp4: no film is written as this");
+    }
+
+    #[test]
+    fn tables_name_the_vertices_of_the_file() {
+        let place = pyramid();
+        // An unused vertex comes first: nodes are numbered otherwise.
+        let file = place.text("pyramid.fold").replace("[[1, 1, 0],", "[[9, 9, 9], [1, 1, 0],");
+        let file =
+            file.replace("[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]", "[1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 1, 5]");
+        place.put("pyramid.fold", &file);
+        let job = place.text("press.json");
+        let moved = "\"supports\": [{\"on\": {\"vertices\": [5]}, \"displacement\": [null, null, -0.9]}, ";
+        let job = job.replacen("\"supports\": [", moved, 1);
+        let start = job.find("\"loads\"").unwrap();
+        place.put("press.json", &format!("{}\"path\": {{}}}}", &job[..start]));
+        place.run("analyse path pyramid.fold press.json -q -o out").succeeds();
+        let table = place.text("out/curve.csv");
+        assert!(table.starts_with("step,event,load_factor,u_5_z,reaction_5_z,energy_bars"), "{table}");
+    }
+
+    #[test]
     fn bad_jobs_are_refused_by_key_and_write_nothing() {
         let place = pyramid();
         let job = place.text("press.json");
@@ -131,6 +182,12 @@ mod present {
             ("\"fixed\": true", "\"fixed\": \"z\"", "pyramid.fold: supports: they leave 3 rigid motions free"),
             ("\"at\": [0, 0, 0.4]", "\"vertices\": [5]", "bad.json: loads[0].on.vertices[0]: is vertex 5; expected"),
             ("\"mm\"", "\"ell\"", "bad.json: units.length: is `ell`"),
+            ("\"mm\"", "\"unit\"", "bad.json: units.length: is `unit`; expected a length: the file's is `mm`"),
+            (
+                "\"supports\": [",
+                "\"supports\": [{\"on\": {\"vertices\": [0]}, \"displacement\": [null, 1, null]}, ",
+                "bad.json: supports[1]: vertex 0 is held at 0 and at 1 along y; expected one displacement",
+            ),
             ("\"ea\"", "\"eb\"", "bad.json: bar.eb: unknown field `eb`"),
         ] {
             place.put("bad.json", &job.replacen(old, new, 1));
@@ -138,5 +195,10 @@ mod present {
             assert!(!place.has("out/path.json"), "{told}");
         }
         place.run("analyse path pyramid.fold none.json -o out").fails(1, "none.json: ");
+        let (start, end) = (job.find("\"supports\"").unwrap(), job.find("\"loads\"").unwrap());
+        place.put("bad.json", &format!("{}{}", &job[..start], &job[end..]));
+        place
+            .run("analyse path pyramid.fold bad.json -o out")
+            .fails(1, "pyramid.fold: supports: they leave 6 rigid motions free; expected none");
     }
 }

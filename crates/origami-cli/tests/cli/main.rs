@@ -6,6 +6,7 @@ mod attitude;
 mod batch;
 mod convert;
 mod dangers;
+mod design;
 mod faults;
 mod flat;
 mod fold;

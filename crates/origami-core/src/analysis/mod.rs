@@ -11,6 +11,7 @@
 //! | one state under a load | [`Structure::equilibrium`] |
 //! | its answer to the first bit of load | [`Structure::first_order`] |
 //! | at which load it buckles, by linear analysis | [`Structure::buckling`] |
+//! | the moduli of a sheet that repeats itself | [`Structure::moduli`] |
 //! | how it vibrates | [`Structure::modes`] |
 //! | how a result changes with what it is made of | [`Structure::gradient`] |
 //! | of what it must be made so that a result is as wanted | [`Structure::design`] |
@@ -31,6 +32,7 @@ pub mod job;
 mod laws;
 mod matrix;
 mod modes;
+mod moduli;
 mod pressure;
 mod refused;
 mod rows;
@@ -48,6 +50,7 @@ pub use elements::Energies;
 pub use equilibria::Equilibrium;
 pub use laws::{BarLaw, HingeLaw, Response};
 pub use modes::{Mode, ModeKind};
+pub use moduli::Moduli;
 pub use refused::Refused;
 pub use structure::{Bar, Corners, Hinge, HingeKind, Loads, Structure, Supports};
 pub use tangent::{Inertia, Tangent};

@@ -232,3 +232,64 @@ fn states_that_cannot_be_are_refused() {
     let dof = Dof::new(NodeId(0), Axis::X);
     assert_eq!((dof.of(&free.nodes), dof.axis.name()), (0.0, "x"));
 }
+
+#[test]
+fn a_lattice_of_triangles_has_its_moduli() {
+    // Springs k along all lines: E = 2 k / sqrt 3, nu = 1 / 3, G = sqrt 3 k / 4.
+    let (a, b) = (DVec3::X, DVec3::new(0.5, 0.75_f64.sqrt(), 0.0));
+    let (side, rigidity) = (4_u32, 7.0);
+    let node = |i: u32, j: u32| NodeId(i * side + j);
+    let mut structure = Structure::default();
+    for i in 0..side {
+        structure.nodes.extend((0..side).map(|j| a * f64::from(i) + b * f64::from(j)));
+    }
+    for i in 0..side {
+        for j in 0..side {
+            let ends = [(i + 1, j), (i, j + 1), (i + 1, j.wrapping_sub(1))];
+            for (p, q) in ends.into_iter().filter(|(p, q)| *p < side && *q < side) {
+                let nodes = [node(i, j), node(p, q)];
+                structure.bars.push(Bar { nodes, rest_length: 1.0, rigidity, law: BarLaw::Linear });
+            }
+        }
+    }
+    let mut hinge = |nodes: [NodeId; 4]| {
+        let (law, kind) = (HingeLaw::Linear, HingeKind::Facet);
+        structure.hinges.push(Hinge { nodes, rest_angle: 0.0, stiffness: 1.0, law, kind });
+    };
+    for i in 1..side - 1 {
+        for j in 1..side - 1 {
+            hinge([node(i, j + 1), node(i + 1, j - 1), node(i, j), node(i + 1, j)]);
+            hinge([node(i - 1, j + 1), node(i + 1, j), node(i, j), node(i, j + 1)]);
+            hinge([node(i + 1, j), node(i, j - 1), node(i, j), node(i + 1, j - 1)]);
+        }
+    }
+    for cell in [[a, b], [2.0 * a, b], [a - b, a + b]] {
+        let moduli = structure.moduli(cell).expect("moduli");
+        let young = 2.0 * rigidity / 3_f64.sqrt();
+        let near =
+            |got: f64, wanted: f64| assert!((got / wanted - 1.0).abs() < 1e-12, "{cell:?}: {got} is not {wanted}");
+        moduli.young.into_iter().for_each(|own| near(own, young));
+        moduli.poisson.into_iter().for_each(|own| near(own, 1.0 / 3.0));
+        near(moduli.shear, 0.25 * 3_f64.sqrt() * rigidity);
+    }
+    let told = |cell| structure.moduli(cell).expect_err("refused").to_string();
+    assert!(told([a, 2.0 * a]).contains("expected two vectors in the plane of x and y"));
+    assert!(told([1.7 * a, b]).contains("lies at the border in all of its copies"), "{}", told([1.7 * a, b]));
+}
+
+#[test]
+fn a_miura_of_rigid_facets_has_its_poisson_ratio() {
+    let (theta, gamma) = (60_f64.to_radians(), 50_f64.to_radians());
+    let structure = miura([3, 3], theta, gamma, [1e-7, 1e1, 1e3]);
+    let [x, y] = [structure.nodes[14] - structure.nodes[0], structure.nodes[2] - structure.nodes[0]];
+    assert!(x.y.abs() < 1e-12 && y.x.abs() < 1e-12, "{x} {y}");
+    let moduli = structure.moduli([x, y]).expect("moduli");
+    // nu = -cos^2 gamma tan^2 theta (Schenk and Guest), as much along y as along x.
+    let wanted = -(gamma.cos() * theta.tan()).powi(2);
+    let [along_x, along_y] = moduli.poisson;
+    let near = |got: f64, wanted: f64| (got / wanted - 1.0).abs() < 1e-5;
+    assert!(
+        near(along_x, wanted) && near(along_y, 1.0 / wanted) || near(along_y, wanted) && near(along_x, 1.0 / wanted),
+        "{moduli:?} {wanted}"
+    );
+}

@@ -32,6 +32,8 @@ pub struct Setup {
     pub hertz: Option<f64>,
     /// How long a radius of the sheet is, in the job's unit of length.
     pub radius: f64,
+    /// By which vectors the sheet repeats itself, where the job says so.
+    pub cell: Option<[DVec3; 2]>,
 }
 
 impl Job {
@@ -87,7 +89,9 @@ impl Job {
         let (length, force) = units.unwrap_or_else(|| ("radii".to_owned(), "the model's".to_owned()));
         let hertz = self.units.as_ref().and_then(Units::hertz).filter(|_| !structure.masses.is_empty());
         structure.check().map_err(|refused| self.wrong(&refused, pattern, model))?;
-        Ok(Setup { structure, path, monitors, length, force, hertz, radius })
+        let in_file = radius / model.normalisation.radius;
+        let cell = self.cell.map(|cell| cell.map(|v| DVec3::from_array(v) * in_file));
+        Ok(Setup { structure, path, monitors, length, force, hertz, radius, cell })
     }
 
     /// What a structure is refused for, by the job's key.

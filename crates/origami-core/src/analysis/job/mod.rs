@@ -59,6 +59,10 @@ pub struct Job {
     pub loads: Vec<LoadJob>,
     /// Masses of vertices, besides that of the sheet; only vibrations know them.
     pub masses: Vec<MassJob>,
+    /// Two vectors in the plane of x and y by which the sheet repeats itself, in the file's unit of length: for its effective
+    /// moduli. Default: it does not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cell: Option<[[f64; 3]; 2]>,
     /// The path that is followed.
     pub path: PathJob,
     /// What is to be designed. Default: nothing.

@@ -90,7 +90,8 @@ mod present {
             place.run("design tube.fold bad.json -o out").fails(1, told);
             assert!(!place.has("out/design.json"), "{told}");
         }
-        place.put("low.json", &job.replacen("\"wanted\": 0.9", "\"wanted\": 0.1", 1));
+        let narrow = job.replacen("[-0.3, 0.3]", "[-0.01, 0.01]", 1).replacen("[-10, 10]", "[-0.1, 0.1]", 1);
+        place.put("low.json", &narrow);
         let ran = place.run("design tube.fold low.json -o out");
         assert_eq!(ran.code, 3, "{}", ran.stderr);
         assert_eq!(place.json("out/design.json")["goals"][0]["reached"], false);

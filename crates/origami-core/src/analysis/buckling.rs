@@ -80,7 +80,7 @@ impl Structure {
             }
             // A little beside it there are factors.
             negative_at(&mut tangent, high * (1.0 + 1e3 * SHARP));
-            let mut near = tangent.nearest_to_zero(wanted).into_iter();
+            let mut near = tangent.nearest_to_zero(wanted, &mut Vec::new()).into_iter();
             // Of several that vanish together each in its turn.
             let same = found.iter().filter(|own| (own.load_factor / high - 1.0).abs() < 1e-9).count();
             let Some((_, row)) = near.nth(same) else { return Ok(found) };

@@ -18,11 +18,13 @@ pub(super) struct Patience {
 }
 
 /// The `wanted` eigenvalues of least size of a matrix of `size` rows, by size; `times` multiplies with it, `solve` with its
-/// inverse.
+/// inverse. They are sought within `space` first, where it has as many columns as it is to have, and that is where it has come to
+/// in the end: for a matrix that is almost the same.
 pub(super) fn nearest_to_zero(
     size: usize,
     wanted: usize,
     patience: Patience,
+    space: &mut Vec<Vec<f64>>,
     times: impl Fn(&[f64]) -> Vec<f64>,
     mut solve: impl FnMut(&[f64]) -> Vec<f64>,
 ) -> Vec<Pair> {
@@ -31,24 +33,34 @@ pub(super) fn nearest_to_zero(
     let columns = size.min(wanted + wanted / 2 + 3);
     // Any directions will do that no symmetry forbids.
     let irregular = |i: usize, c: usize| ((i + 1) as f64 * ((c + 2) as f64).sqrt()).fract() - 0.5;
-    let mut space: Vec<Vec<f64>> = (0..columns).map(|c| (0..size).map(|i| irregular(i, c)).collect()).collect();
-    orthonormalise(&mut space);
+    if space.len() == columns {
+        // What symmetry keeps out of the space must have a way in.
+        space.truncate(columns - 1);
+    } else {
+        space.clear();
+    }
+    space.extend((space.len()..columns).map(|c| (0..size).map(|i| irregular(i, c)).collect()));
+    orthonormalise(space);
     let mut last: Vec<f64> = Vec::new();
     let mut pairs = Vec::new();
     for _ in 0..patience.rounds {
-        for column in &mut space {
+        for column in space.iter_mut() {
             *column = solve(column);
         }
-        orthonormalise(&mut space);
-        pairs = ritz(&space, &times);
+        orthonormalise(space);
+        pairs = ritz(space, &times);
         let values: Vec<f64> = pairs.iter().take(wanted).map(|(value, _)| *value).collect();
         let settled =
             |(new, old): (&f64, &f64)| (new - old).abs() <= (patience.tolerance * new.abs()).max(patience.nothing);
-        if last.len() == values.len() && values.iter().zip(&last).all(settled) {
+        let done = last.len() == values.len() && values.iter().zip(&last).all(settled);
+        last = values;
+        // Without directions for all columns those that there are go on.
+        if pairs.len() == space.len() {
+            *space = pairs.iter().map(|(_, vector)| vector.clone()).collect();
+        }
+        if done {
             break;
         }
-        last = values;
-        space = pairs.iter().map(|(_, vector)| vector.clone()).collect();
     }
     pairs.truncate(wanted);
     pairs
@@ -121,7 +133,7 @@ mod tests {
             d
         };
         let patience = Patience { tolerance: 1e-14, nothing: 0.0, rounds: 200 };
-        let pairs = nearest_to_zero(size, 5, patience, times, solve);
+        let pairs = nearest_to_zero(size, 5, patience, &mut Vec::new(), times, solve);
         let angle = |k: usize| std::f64::consts::PI * k as f64 / (size + 1) as f64;
         let mut wanted: Vec<f64> = (1..=size).map(|k| 2.0 - shift - 2.0 * angle(k).cos()).collect();
         wanted.sort_by(|a, b| a.abs().total_cmp(&b.abs()));

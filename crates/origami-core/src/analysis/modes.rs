@@ -77,7 +77,7 @@ impl Structure {
             scaled(&x, |x, root| x * root)
         };
         let patience = Patience { tolerance: 1e-12, nothing: 1e-15 * largest, rounds: 500 };
-        let mut pairs = nearest_to_zero(masses.len(), count, patience, times, solve);
+        let mut pairs = nearest_to_zero(masses.len(), count, patience, &mut Vec::new(), times, solve);
         pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mode = |(value, x): (f64, Vec<f64>)| {
             let mut shape = equations.rows.scatter(&scaled(&x, |x, root| x / root));

@@ -12,6 +12,9 @@ use crate::solve::newton::Factor;
 /// What counts as an eigenvalue of 0, as a share of the largest entry of the diagonal.
 pub(super) const NEUTRAL: f64 = 1e-11;
 
+/// What a solution may leave over, as a share of the right side; where it leaves more it is refined.
+const ACCURATE: f64 = 1e-13;
+
 /// How many eigenvalues of a tangent are negative, and how many are 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Inertia {
@@ -23,14 +26,16 @@ pub struct Inertia {
 
 /// The tangent stiffness of a structure in one state, over its free degrees of freedom, as factors `L D L^T`.
 ///
-/// By Sylvester's law of inertia the signs of D are those of the eigenvalues. Nothing is pivoted: solutions are refined
-/// once with the matrix itself.
+/// By Sylvester's law of inertia the signs of D are those of the eigenvalues. Nothing is pivoted: where that
+/// costs accuracy, solutions are refined once with the matrix itself.
 #[derive(Debug)]
 pub struct Tangent<'s> {
     pub(super) equations: Equations<'s>,
     pub(super) matrix: Matrix,
     pub(super) factor: Factor,
     negative: usize,
+    /// Of which state the factors are, where they are.
+    state: Option<(Configuration, f64)>,
 }
 
 impl Structure {
@@ -58,12 +63,15 @@ impl<'s> Tangent<'s> {
         }
         let matrix = Matrix::new(structure, &equations.rows);
         let factor = Factor::new(matrix.structure()).ok_or(Refused::OutOfMemory { rows })?;
-        Ok(Self { equations, matrix, factor, negative: 0 })
+        Ok(Self { equations, matrix, factor, negative: 0, state: None })
     }
 
-    /// Assembles and factorises at a state; whether there are factors.
+    /// Assembles and factorises at a state, unless that was the last one; whether there are factors.
     pub(super) fn set(&mut self, at: &Configuration, load_factor: f64) -> bool {
-        let Self { equations, matrix, factor, negative } = self;
+        if self.state.as_ref().is_some_and(|(own, factor)| *factor == load_factor && own == at) {
+            return true;
+        }
+        let Self { equations, matrix, factor, negative, .. } = self;
         matrix.clear();
         let mut add = |i, j, block| matrix.add(&equations.rows, i, j, block);
         equations.structure.blocks(equations.size, at, &mut add);
@@ -75,6 +83,7 @@ impl<'s> Tangent<'s> {
             factor.factorise(matrix.shifted(shift, &ones))
         });
         *negative = count.unwrap_or_default();
+        self.state = count.map(|_| (at.clone(), load_factor));
         count.is_some()
     }
 
@@ -90,8 +99,10 @@ impl<'s> Tangent<'s> {
         let mut x = right.to_vec();
         self.factor.solve(&mut x);
         let mut rest: Vec<f64> = self.matrix.times(&x).iter().zip(right).map(|(p, r)| r - p).collect();
-        self.factor.solve(&mut rest);
-        x.iter_mut().zip(rest).for_each(|(x, r)| *x += r);
+        if dot(&rest, &rest) > ACCURATE * ACCURATE * dot(right, right) {
+            self.factor.solve(&mut rest);
+            x.iter_mut().zip(rest).for_each(|(x, r)| *x += r);
+        }
         x
     }
 
@@ -115,11 +126,14 @@ impl<'s> Tangent<'s> {
         let ones = vec![1.0; self.equations.rows.len()];
         let count = self.factor.factorise(self.matrix.shifted(-value, &ones));
         self.factor.factorise(self.matrix.as_ref());
+        // At a critical point these may be none.
+        self.state = None;
         count
     }
 
-    /// The eigenvalues nearest to 0, by size, with their unit vectors by row: to some six digits, or after a few rounds.
-    pub(super) fn nearest_to_zero(&mut self, count: usize) -> Vec<eigen::Pair> {
+    /// The eigenvalues nearest to 0, by size, with their unit vectors by row: to some six digits, or after a few rounds. `space`
+    /// is where they are sought first, empty where nothing is known, and then where they were found.
+    pub(super) fn nearest_to_zero(&mut self, count: usize, space: &mut Vec<Vec<f64>>) -> Vec<eigen::Pair> {
         let nothing = NEUTRAL * self.matrix.largest_diagonal();
         let patience = eigen::Patience { tolerance: 1e-6, nothing, rounds: 12 };
         let Self { equations, matrix, factor, .. } = self;
@@ -128,7 +142,7 @@ impl<'s> Tangent<'s> {
             factor.solve(&mut x);
             x
         };
-        eigen::nearest_to_zero(equations.rows.len(), count, patience, |x| matrix.times(x), solve)
+        eigen::nearest_to_zero(equations.rows.len(), count, patience, space, |x| matrix.times(x), solve)
     }
 
     /// Solves `[K b; c^T d] [x; y] = [f; g]` by mixed block elimination, which is accurate though K be almost singular:

@@ -165,7 +165,7 @@ fn null_vectors(walker: &mut Walker<'_>, change: &Change) -> Option<Vec<Vec<f64>
         return None;
     }
     let count = change.before.abs_diff(change.after);
-    let pairs = walker.tangent.nearest_to_zero(count);
+    let pairs = walker.tangent.nearest_to_zero(count, &mut Vec::new());
     let idle = |v: &[f64]| dot(v, &load).abs() <= IDLE * dot(&load, &load).sqrt();
     (count > 1 || pairs.iter().all(|(_, v)| idle(v))).then(|| pairs.into_iter().map(|(_, v)| v).collect())
 }

@@ -168,7 +168,9 @@ fn begin(walker: &mut Walker<'_>, start: &Start) -> Result<Stand, Refused> {
         if neutral > 0 {
             return Err(Refused::Mechanisms { count: neutral });
         }
-        if walker.tangent.equations.load(&at).iter().all(|x| *x == 0.0) {
+        // Supports that are moved lead on even where nothing else follows them.
+        let is_moved = !structure.supports.moved.is_empty();
+        if !is_moved && walker.tangent.equations.load(&at).iter().all(|x| *x == 0.0) {
             return Err(Refused::Unloaded);
         }
         let at_load = format!("load factor {}", start.load_factor);

@@ -104,7 +104,7 @@ impl Point {
         }
         // At the stand last, whose tangent the walker has.
         walker.tangent.set(&stand.at, stand.load_factor);
-        let nearest = walker.tangent.nearest_to_zero(1).first().map_or(f64::NAN, |(value, _)| *value);
+        let nearest = walker.nearest().first().map_or(f64::NAN, |(value, _)| *value);
         let equations = &walker.tangent.equations;
         let mut loads = vec![DVec3::ZERO; structure.nodes.len()];
         structure.loads.add_forces(&stand.at.positions, &mut loads);

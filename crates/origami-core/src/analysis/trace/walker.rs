@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::settings::{Control, Path, Until};
-use crate::analysis::eigen::dot;
+use crate::analysis::eigen::{Pair, dot};
 use crate::analysis::tangent::Tangent;
 use crate::analysis::{Configuration, Dof, Refused, Structure};
 
@@ -65,6 +65,8 @@ pub(super) struct Walker<'s> {
     side: f64,
     /// What the square of the load factor counts beside squares of moves: those of moved supports.
     weight: f64,
+    /// Where the eigenvalue nearest to 0 was found last.
+    space: Vec<Vec<f64>>,
 }
 
 impl<'s> Walker<'s> {
@@ -72,7 +74,7 @@ impl<'s> Walker<'s> {
         let tangent = Tangent::new(structure)?;
         let weight = tangent.equations.way().iter().map(|w| w.length_squared()).sum();
         let side = if path.backwards { -1.0 } else { 1.0 };
-        Ok(Self { tangent, control: path.control, tolerance: path.tolerance, side, weight })
+        Ok(Self { tangent, control: path.control, tolerance: path.tolerance, side, weight, space: Vec::new() })
     }
 
     /// Turns to where the path is to lead, as seen from `stand`.
@@ -93,6 +95,11 @@ impl<'s> Walker<'s> {
 
     pub(super) fn structure(&self) -> &'s Structure {
         self.tangent.equations.structure
+    }
+
+    /// The eigenvalue nearest to 0 of the tangent that was set last, with its vector.
+    pub(super) fn nearest(&mut self) -> Vec<Pair> {
+        self.tangent.nearest_to_zero(1, &mut self.space)
     }
 
     pub(super) fn size(&self) -> f64 {

@@ -4,5 +4,5 @@
 fn side_stiffness(instance: u32, f: u32, side: u32, rest: f32) -> f32 {
     let packed = word(block.at_faces + 3u * f + 1u);
     let own = bitcast<f32>(word(block.at_rigidities + ((packed >> (10u * side)) & 0x3ffu)));
-    return select(ea(instance), own, own > 0.0) / rest;
+    return rigidity_now(instance, select(ea(instance), own, own > 0.0)) / rest;
 }

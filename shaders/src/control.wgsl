@@ -78,6 +78,12 @@ struct Control {
     k_facet: f32,
     k_face: f32,
     zeta: f32,
+    // Stiffness against collapse, and how soft the sheet is on its way: the most rigid beam (0: as its material all the
+    // way), the share of the corner angles' stiffness, what pulls a crease back.
+    k_area: f32,
+    soft_ea: f32,
+    soft_corners: f32,
+    wrong_side: f32,
 }
 
 @group(0) @binding(0) var<storage, read_write> control: array<Control>;

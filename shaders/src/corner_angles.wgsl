@@ -18,7 +18,7 @@ fn corner_pulls(instance: u32, f: u32, doubled_area: f32, squares: vec3<f32>, do
     if (doubled_area == 0.0) {
         return vec3<f32>(0.0);
     }
-    let moments = -k_face(instance) * deviations(f, doubled_area, dots);
+    let moments = -corner_share(instance) * k_face(instance) * deviations(f, doubled_area, dots);
     return (moments - moments.yzx) / (doubled_area * squares);
 }
 

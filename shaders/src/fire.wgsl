@@ -66,7 +66,9 @@ fn update_fire(instance: u32, sums: vec4<f32>) {
     let waits = atomicExchange(&control[instance].too_fast, 0u);
     control[instance].ramp_waits = waits;
     control[instance].ramp_before = control[instance].ramp_step;
-    if (waits == 0u) {
+    // A soft sheet becomes as stiff as its material only where its masses are renewed.
+    let arrives = control[instance].ramp_step + 1u == control[instance].ramp_length && softens(instance);
+    if (waits == 0u && !(arrives && !renews(instance))) {
         control[instance].ramp_step = min(control[instance].ramp_step + 1u, control[instance].ramp_length);
     }
     atomicStore(&control[instance].distance_squared_max, 0u);

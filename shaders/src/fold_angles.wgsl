@@ -17,7 +17,8 @@ fn fold_angle(instance: u32, c: u32) {
     }
     put_angle(instance, c, angle);
     let target_now = target_angle(instance, c, ramp_share(instance));
-    put_moment(instance, c, crease_stiffness(instance, h) * (target_now - angle));
+    let back = wrong_side(instance, angle, target_now) * angle;
+    put_moment(instance, c, crease_stiffness(instance, h) * (target_now - angle - back));
 }
 
 @compute @workgroup_size(WORKGROUP)

@@ -55,6 +55,22 @@ shaders! {
     CORNER_ANGLES = "corner_angles.wgsl";
     /// A scene without them.
     CORNER_ANGLES_NONE = "corner_angles_none.wgsl";
+    /// A sheet that is soft on its way.
+    SOFT = "soft.wgsl";
+    /// One that is not.
+    SOFT_NONE = "soft_none.wgsl";
+    /// Creases on the wrong side of a soft sheet.
+    SOFT_CREASES = "soft_creases.wgsl";
+    /// A sheet without such.
+    SOFT_CREASES_NONE = "soft_creases_none.wgsl";
+    /// Areas of triangles, kept from collapse.
+    AREAS = "areas.wgsl";
+    /// A scene without them.
+    AREAS_NONE = "areas_none.wgsl";
+    /// Areas at rest, for passes over all elements.
+    WHOLE_AREAS = "whole_areas.wgsl";
+    /// Areas at rest, in a block.
+    BLOCK_AREAS = "block_areas.wgsl";
     /// Creases as hinges.
     HINGE = "hinge.wgsl";
     /// A triangle and its sides.

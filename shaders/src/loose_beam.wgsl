@@ -12,7 +12,8 @@ struct LooseBeam {
 
 // k = EA / l0 (paper 2.2).
 fn loose_stiffness(instance: u32, own: LooseBeam) -> f32 {
-    return select(ea(instance), own.rigidity, own.rigidity > 0.0) / rest_length(own.rest_high, own.rest_low);
+    let rigidity = rigidity_now(instance, select(ea(instance), own.rigidity, own.rigidity > 0.0));
+    return rigidity / rest_length(own.rest_high, own.rest_low);
 }
 
 // The force on its first end; its second feels the opposite.

@@ -1,6 +1,6 @@
 // A bound on the stiffness that each node feels: with J the gradient of an element's length or angle at a node,
 // `K_i = sum over elements e at i of k_e |J_ei| sum_j |J_ej|`. Every face writes its part beside the forces in its slots:
-// its part of each beam (2k at both ends), the apex and half of the ends of each crease, its corner angles.
+// its part of each beam (2k at both ends), the apex and half of the ends of each crease, its corner angles and its area.
 
 // The lengths of a hinge's gradient at the apexes and the ends, in the order of `Hinge`.
 fn hinge_gradient(s: HingeShape) -> vec4<f32> {
@@ -31,7 +31,8 @@ fn crease_sums(instance: u32, side: u32) -> vec3<f32> {
         return vec3<f32>(0.0);
     }
     let gradient = hinge_gradient(s);
-    let sums = crease_stiffness(instance, h) * (gradient.x + gradient.y + gradient.z + gradient.w) * gradient;
+    let stiffness = crease_stiffness(instance, h) * (1.0 + more_stiffness(instance, crease));
+    let sums = stiffness * (gradient.x + gradient.y + gradient.z + gradient.w) * gradient;
     // The face to the left runs from the first end to the second, that to the right the other way.
     if ((side & RIGHT) == 0u) {
         return vec3<f32>(0.5 * sums.z, 0.5 * sums.w, sums.x);
@@ -55,7 +56,7 @@ fn face_sums(instance: u32, f: u32) {
     if (has_corners(f) && t.normal_squared > 0.0) {
         // The gradient of an angle at its corner's neighbours is as long as 1 / side.
         let inverse = 1.0 / sqrt(t.squares);
-        let k = k_face(instance);
+        let k = corner_share(instance) * k_face(instance);
         for (var i = 0u; i < 3u; i++) {
             let next = (i + 1u) % 3u;
             let before = (i + 2u) % 3u;
@@ -67,8 +68,12 @@ fn face_sums(instance: u32, f: u32) {
             sums[before] += total * inverse[before];
         }
     }
+    // The gradient of twice the area at a corner is as long as the side opposite to it.
+    let opposite = sqrt(t.squares.yzx);
+    let curvature = area_spring(instance, f, own, sqrt(t.normal_squared)).y;
+    let of_area = curvature * (opposite.x + opposite.y + opposite.z) * opposite;
     for (var i = 0u; i < 3u; i++) {
-        put_row_sum(instance, own.slots[i], sums[i]);
+        put_row_sum(instance, own.slots[i], sums[i] + of_area[i]);
     }
 }
 

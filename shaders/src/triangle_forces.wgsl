@@ -2,8 +2,8 @@
 //
 // Two triangles share the beam on a side: each does half. A crease acts on a triangle along its normal N only: with the
 // moment t, the side's length l and g = t / (l |N|^2), the corner opposite to it feels g l^2 N, each end -g N times the dot
-// product at the other end (paper 2.3 with cotangents written out). The corner angles (2.4) on a side pull along N x side.
-// The forces of each triangle sum to zero.
+// product at the other end (paper 2.3 with cotangents written out). The corner angles (2.4) on a side pull along N x side, and
+// so does an area that is nearly lost, at the corner opposite to it. The forces of each triangle sum to zero.
 
 // The moment of the crease on a side; 0 where there is none.
 fn moment(instance: u32, side: u32) -> f32 {
@@ -59,9 +59,11 @@ fn forces_of_triangle(instance: u32, f: u32) {
         g.x * t.squares.x - g.z * t.dots.x - g.y * t.dots.y,
     );
 
+    let squeezed = area_spring(instance, f, own, doubled_area).x;
     for (var i = 0u; i < 3u; i++) {
         let before = (i + 2u) % 3u;
-        put_force(instance, own.slots[i], along[i] - along[before] + across[i] * t.normal);
+        let of_area = cross(t.normal, t.sides[(i + 1u) % 3u]) * squeezed;
+        put_force(instance, own.slots[i], along[i] - along[before] + across[i] * t.normal + of_area);
     }
 }
 

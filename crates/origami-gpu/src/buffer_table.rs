@@ -105,7 +105,7 @@ fn the_pipeline_has_the_buffers_that_the_table_tells() {
         .filter(|k| k.per != Per::Block && !k.name.starts_with("workgroup"))
         .map(|k| (*k, variant.clone()));
     let rich = KERNELS.iter().filter(several).filter(|k| k.per != Per::Block);
-    let rich = rich.map(|k| (*k, Variant { rigidities: true, ..variant.clone() }));
+    let rich = rich.map(|k| (*k, Variant { rigidities: true, softens: true, ..variant.clone() }));
     let blocks = KERNELS.iter().filter(blocks).map(|k| (*k, in_blocks.clone()));
     let there = found(
         plain.chain(rich).chain(blocks).map(|(k, variant)| (k.name, k.entry, checked(k.name, &k.source(&variant)))),

@@ -18,7 +18,12 @@ use crate::variant::Scheme;
 /// What an engine for dynamics has to do. `damped`: whether some of the models have damping.
 pub(crate) fn purpose(dynamics: &Dynamics, damped: bool, dispatch: Dispatch) -> Purpose {
     let verlet = dynamics.integrator == Integrator::Verlet;
-    Purpose { scheme: Scheme::Dynamics { verlet, damped }, safe: dynamics.time_step == TimeStep::Safe, dispatch }
+    Purpose {
+        scheme: Scheme::Dynamics { verlet, damped },
+        safe: dynamics.time_step == TimeStep::Safe,
+        softens: false,
+        dispatch,
+    }
 }
 
 /// Runs instances to their ends.
@@ -104,6 +109,7 @@ pub(crate) fn beginning<'m>(dynamics: &Dynamics, instance: &Instance<'m>, target
         loads: instance.scene.loads.clone(),
         targets,
         ramp: dynamics.ramp,
+        softening: None,
         limit: dynamics.steps.unwrap_or(dynamics.max_steps),
         tolerance: dynamics.tolerance,
         stops_when_settled: dynamics.steps.is_none(),

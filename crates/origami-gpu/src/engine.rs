@@ -15,8 +15,6 @@ use crate::plan::{CHECK_INTERVAL, Plan, batch};
 use crate::purpose::{Dispatch, Purpose};
 use crate::route::{Route, small_variant};
 use crate::sheet_arrays::SheetArrays;
-#[cfg(test)]
-use crate::variant::Scheme;
 use crate::variant::{Small, Variant};
 
 /// The buffers and passes of a sheet, for up to `instances` instances.
@@ -77,7 +75,7 @@ impl Engine {
         purpose: Purpose,
         instances: usize,
     ) -> Result<Self, GpuError> {
-        let plain = Variant::new(arrays, purpose.scheme, material);
+        let plain = purpose.variant(arrays, material);
         let route = Route::new(arrays, purpose, gpu.abilities());
         let variant = route.variant(&plain);
         check_counts(&variant)?;
@@ -95,10 +93,10 @@ impl Engine {
 
     /// The buffers of one sheet that goes by passes, or by blocks, without any pass.
     #[cfg(test)]
-    pub(crate) fn bare(gpu: &Gpu, model: &Model, scheme: Scheme, dispatch: Dispatch) -> Result<Self, GpuError> {
+    pub(crate) fn bare(gpu: &Gpu, model: &Model, purpose: Purpose) -> Result<Self, GpuError> {
         let arrays = SheetArrays::new(model);
-        let plain = Variant::new(&arrays, scheme, Some(model.material));
-        let route = Route::new(&arrays, Purpose { scheme, safe: false, dispatch }, gpu.abilities());
+        let plain = purpose.variant(&arrays, Some(model.material));
+        let route = Route::new(&arrays, purpose, gpu.abilities());
         let variant = route.variant(&plain);
         let buffers = gpu.scoped(|| buffers(gpu, &arrays, &variant, &route, 1))??;
         let copies = route.blocks().map(|blocks| blocks.copies.clone());
@@ -316,7 +314,7 @@ fn buffers(
 /// How many instances of a sheet fit into the adapter's buffers.
 pub(crate) fn most_instances(gpu: &Gpu, arrays: &SheetArrays, purpose: Purpose) -> usize {
     // Buffers are as large with one material as with many.
-    let plain = Variant::new(arrays, purpose.scheme, None);
+    let plain = purpose.variant(arrays, None);
     let route = Route::new(arrays, purpose, gpu.abilities());
     let variant = route.variant(&plain);
     let allowed = gpu.largest_buffer();
@@ -367,7 +365,7 @@ mod tests {
         let allowed = gpu.largest_buffer();
         for model in [miura(), sheets::loose_beams()] {
             let (arrays, variant) = arrays_and_variant(&model);
-            let purpose = Purpose { scheme: EULER, safe: false, dispatch: Dispatch::Passes };
+            let purpose = Purpose { scheme: EULER, safe: false, softens: false, dispatch: Dispatch::Passes };
             let most = most_instances(&gpu, &arrays, purpose) as u64;
             let largest = |count: u64| sizes(&arrays, &variant, &Route::Passes).iter().map(|s| s.1 * count + s.2).max();
             assert!(largest(most) <= Some(allowed));

@@ -7,13 +7,11 @@ use crate::plan::Plan;
 use crate::purpose::Purpose;
 use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
-use crate::variant::Variant;
 
 /// The model's inventory `inventory`, and what the GPU's pipelines add to it.
 pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose, abilities: Abilities) -> Inventory {
-    inventory.built.retain(|group| group.what != "areas");
     let arrays = SheetArrays::new(model);
-    let plain = Variant::new(&arrays, purpose.scheme, Some(model.material));
+    let plain = purpose.variant(&arrays, Some(model.material));
     let route = Route::new(&arrays, purpose, abilities);
     let variant = route.variant(&plain);
     let plan = Plan::new(&variant, purpose.safe);
@@ -41,7 +39,6 @@ pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose, abil
     if !variant.corners {
         without("buffer of corner angles", "there are none");
     }
-    without("areas", "GPUs do not compute them");
     without("strain and energy on the GPU", "they are measured on the state that is read");
     inventory
 }

@@ -135,6 +135,10 @@ pub(crate) struct Control {
     pub(crate) k_facet: f32,
     pub(crate) k_face: f32,
     pub(crate) zeta: f32,
+    pub(crate) k_area: f32,
+    pub(crate) soft_ea: f32,
+    pub(crate) soft_corners: f32,
+    pub(crate) wrong_side: f32,
 }
 
 impl Control {
@@ -143,6 +147,11 @@ impl Control {
         (self.settled_windows, self.window_is_sound, self.disturbed_at) = (0, 0, self.checks);
         self.window_end = self.window_end.min(self.checks + 1);
         self.distance = f32::INFINITY;
+    }
+
+    /// Whether the sheet is softer than its material at present, as `softens` of the shaders.
+    pub(crate) fn is_soft(&self) -> bool {
+        self.soft_ea > 0.0 && self.ramp_step < self.ramp_length
     }
 
     /// As `Windows::has_settled` of the core: whether the last windows had all settled.
@@ -265,6 +274,10 @@ mod tests {
                 k_facet,
                 k_face,
                 zeta,
+                k_area,
+                soft_ea,
+                soft_corners,
+                wrong_side,
             }
         );
         let hinges = shader(&row_sums::KERNEL);

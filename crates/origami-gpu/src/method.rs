@@ -1,6 +1,6 @@
 //! Which of the core's solvers a GPU can compute.
 
-use origami_core::model::Model;
+use origami_core::model::{Model, Softening};
 use origami_core::scene::{Refusal, Scene};
 use origami_core::solve::{Dynamics, Instance, Relax, Solver, State, TimeStep};
 
@@ -72,7 +72,7 @@ impl<'r> Method<'r> {
     /// What an engine for `models` has to do.
     pub(crate) fn purpose<'m>(self, dispatch: Dispatch, mut models: impl Iterator<Item = &'m Model>) -> Purpose {
         match self {
-            Self::Relax(_) => relax::purpose(dispatch),
+            Self::Relax(method) => relax::purpose(method, dispatch, models),
             Self::Dynamics(method) => {
                 dynamics::purpose(method, models.any(|model| model.material.zeta > 0.0), dispatch)
             }
@@ -112,11 +112,19 @@ impl<'r> Method<'r> {
         }
     }
 
-    /// Evaluations of the ramp from the targets of `start` to others.
-    pub(crate) fn ramp(self, model: &Model, start: &State, targets: &[f64]) -> u32 {
+    /// Evaluations of the ramp from the targets of `start` to others, and how soft the sheet is on it.
+    pub(crate) fn ramp(
+        self,
+        (model, scene): (&Model, &Scene),
+        start: &State,
+        targets: &[f64],
+    ) -> (u32, Option<Softening>) {
         match self {
-            Self::Relax(method) => method.first_attempt((model, &Scene::default()), start, targets).ramp,
-            Self::Dynamics(method) => method.ramp,
+            Self::Relax(method) => {
+                let attempt = method.first_attempt((model, scene), start, targets);
+                (attempt.ramp, attempt.softening)
+            }
+            Self::Dynamics(method) => (method.ramp, None),
         }
     }
 

@@ -2,7 +2,10 @@
 
 use std::fmt;
 
-use crate::variant::Scheme;
+use origami_core::model::Material;
+
+use crate::sheet_arrays::SheetArrays;
+use crate::variant::{Scheme, Variant};
 
 /// How the passes of a step reach the GPU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,5 +53,14 @@ pub(crate) struct Purpose {
     pub(crate) scheme: Scheme,
     /// Whether dynamics renews its time step.
     pub(crate) safe: bool,
+    /// Whether a relaxation may be soft on its way.
+    pub(crate) softens: bool,
     pub(crate) dispatch: Dispatch,
+}
+
+impl Purpose {
+    /// The variant for a sheet; `material` is that of all instances, or `None` where they differ.
+    pub(crate) fn variant(self, arrays: &SheetArrays, material: Option<Material>) -> Variant {
+        Variant { softens: self.softens, ..Variant::new(arrays, self.scheme, material) }
+    }
 }

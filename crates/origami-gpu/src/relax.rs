@@ -3,9 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::ops::ControlFlow;
 
-use origami_core::scene::{Held, Refusal};
+use origami_core::model::Model;
+use origami_core::scene::{Held, Refusal, Scene};
 use origami_core::solve::attempt::{Attempt, better, or_crushed, steps_of};
-use origami_core::solve::{Failed, Folded, Instance, Progress, Relax, Stop};
+use origami_core::solve::{Failed, Folded, Instance, Progress, Relax, State, Stop};
 
 use crate::engine::Engine;
 use crate::error::GpuError;
@@ -17,8 +18,14 @@ use crate::stream::{Asked, Sheets};
 use crate::variant::Scheme;
 
 /// What an engine for a relaxation has to do.
-pub(crate) fn purpose(dispatch: Dispatch) -> Purpose {
-    Purpose { scheme: Scheme::Relax, safe: false, dispatch }
+pub(crate) fn purpose<'m>(relax: &Relax, dispatch: Dispatch, mut models: impl Iterator<Item = &'m Model>) -> Purpose {
+    Purpose { scheme: Scheme::Relax, safe: false, softens: models.any(|model| softens(relax, model)), dispatch }
+}
+
+/// Whether the sheet may be soft on its way: from rest, where nothing but its springs acts.
+fn softens(relax: &Relax, model: &Model) -> bool {
+    let from_rest = State::at_rest(model);
+    relax.first_attempt((model, &Scene::default()), &from_rest, &from_rest.targets).softening.is_some()
 }
 
 /// Runs instances until each has made all its attempts.
@@ -135,6 +142,7 @@ pub(crate) fn beginning<'m>(
         loads: instance.scene.loads.clone(),
         targets: targets.to_vec(),
         ramp: attempt.ramp,
+        softening: attempt.softening,
         limit: attempt.limit,
         tolerance: relax.tolerance,
         stops_when_settled: relax.steps.is_none(),

@@ -113,7 +113,7 @@ mod tests {
     const SOFTWARE: Abilities = Abilities { hardware: false, workgroup_storage: MEMORY };
 
     fn way(model: &Model, dispatch: Dispatch, abilities: Abilities) -> Dispatch {
-        let purpose = Purpose { scheme: EULER, safe: true, dispatch };
+        let purpose = Purpose { scheme: EULER, safe: true, softens: false, dispatch };
         Route::new(&SheetArrays::new(model), purpose, abilities).dispatch()
     }
 

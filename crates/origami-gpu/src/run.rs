@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use bytemuck::Pod;
 use glam::DVec3;
 use origami_core::Model;
+use origami_core::model::Softening;
 use origami_core::scene::{Held, Load};
 use origami_core::solve::{State, row_sums};
 use origami_core::twins::fire_update;
@@ -30,6 +31,8 @@ pub(crate) struct Beginning<'m> {
     /// Target angles at the end of the ramp, by crease; it begins at those of `state`.
     pub(crate) targets: Vec<f64>,
     pub(crate) ramp: u32,
+    /// How soft the sheet is while the target angles rise.
+    pub(crate) softening: Option<Softening>,
     pub(crate) limit: u64,
     pub(crate) tolerance: f64,
     /// Whether it stops when it has settled, or runs all its steps.
@@ -266,6 +269,8 @@ impl Engine {
 
 fn control(beginning: &Beginning<'_>) -> Control {
     let material = beginning.model.material;
+    let soft = beginning.softening.map(|softening| softened(beginning.model, softening));
+    let (soft_ea, soft_corners, wrong_side) = soft.unwrap_or_default();
     let ramp = if beginning.targets == beginning.state.targets { 0 } else { beginning.ramp };
     Control {
         limit: u32::try_from(beginning.limit).unwrap_or(u32::MAX),
@@ -285,8 +290,19 @@ fn control(beginning: &Beginning<'_>) -> Control {
         k_facet: narrow(material.k_facet),
         k_face: narrow(material.k_face),
         zeta: narrow(material.zeta),
+        k_area: narrow(beginning.model.k_area()),
+        soft_ea,
+        soft_corners,
+        wrong_side,
         ..Control::default()
     }
+}
+
+/// How soft a sheet is, as its control block says it: the most rigid beam, the share of the corner angles' stiffness, and what
+/// pulls a crease back.
+pub(crate) fn softened(model: &Model, softening: Softening) -> (f32, f32, f32) {
+    let most_rigid = softening.beams * model.stiffest_crease;
+    (narrow(most_rigid), narrow(softening.corner_angles), narrow(softening.wrong_side))
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "to the nearest")]
@@ -297,7 +313,7 @@ fn narrow(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::purpose::Dispatch;
+    use crate::purpose::{Dispatch, Purpose};
     use crate::testing::bench::EULER;
     use crate::testing::cases::miura;
     use crate::testing::gpu;
@@ -305,7 +321,8 @@ mod tests {
     #[test]
     fn a_kernel_that_was_cut_short_is_noticed() {
         let Some(gpu) = gpu() else { return };
-        let engine = Engine::bare(&gpu, &miura(), EULER, Dispatch::Passes).expect("it fits");
+        let purpose = Purpose { scheme: EULER, safe: false, softens: false, dispatch: Dispatch::Passes };
+        let engine = Engine::bare(&gpu, &miura(), purpose).expect("it fits");
         let at = |step: u32| Control { step, limit: 250, bad_node: NONE, ..Control::default() };
         assert_eq!(engine.check_steps(&[at(100), at(100)], 100), Ok(()));
         assert_eq!(engine.check_steps(&[at(250)], 300), Ok(()), "the limit came first");

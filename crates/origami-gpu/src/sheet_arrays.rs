@@ -28,6 +28,8 @@ pub(crate) struct SheetArrays {
     pub(crate) rows: Vec<u32>,
     /// The nodes that may be loaded, in order, and the slot of each for its load: the last of its row.
     pub(crate) load_slots: Vec<(NodeId, u32)>,
+    /// Whether areas of triangles resist.
+    pub(crate) areas: bool,
     /// Whether some nodes are held, or may be.
     pub(crate) fixed: bool,
 }
@@ -84,6 +86,7 @@ impl SheetArrays {
             loose_beams: loose.collect(),
             rows,
             load_slots,
+            areas: model.k_area() > 0.0 && !model.mesh.triangles.is_empty(),
             fixed: outside.holds || !model.fixed.is_empty(),
         }
     }
@@ -108,6 +111,7 @@ pub(crate) fn same_springs(a: &Model, b: &Model) -> bool {
         && a.creases.len() == b.creases.len()
         && a.creases.iter().zip(&b.creases).all(|(one, two)| same_stiffness(one, two))
         && a.corner_angles.len() == b.corner_angles.len()
+        && (a.k_area() > 0.0) == (b.k_area() > 0.0)
 }
 
 /// Whether both are of one sheet, or of two that are alike: models that were not made together.

@@ -20,7 +20,7 @@ use crate::outcome::{backend, checked, distance, diverged, folded, ramp_share, s
 use crate::outside::Outside;
 use crate::positions_buffer::PositionsBuffer;
 use crate::purpose::{Dispatch, Purpose};
-use crate::run::Ending;
+use crate::run::{Ending, softened};
 use crate::single;
 use crate::solver::OnGpu;
 
@@ -189,8 +189,15 @@ impl GpuEngine {
         self.perturb(&targets)?;
         let now = self.targets_now();
         let start = State { targets: now, ..State::default() };
-        let length =
-            if start.targets == targets { 0 } else { self.settings.method().ramp(&self.model, &start, &targets) };
+        let (mut length, softening) = self.settings.method().ramp((&self.model, &self.scene), &start, &targets);
+        if start.targets == targets {
+            length = 0;
+        }
+        let (is_soft, softening) = (self.control.is_soft(), softening.map(|soft| softened(&self.model, soft)));
+        if is_soft {
+            // It arrives where its masses are renewed, and not at once.
+            length = length.max(2);
+        }
         let mut creases = self.read_creases()?;
         for ((crease, from), to) in creases.iter_mut().zip(&start.targets).zip(&targets) {
             crease.aim(*from, *to);
@@ -199,6 +206,9 @@ impl GpuEngine {
         (self.from, self.to) = (start.targets, targets);
         self.change(|c| {
             (c.ramp_step, c.ramp_before, c.ramp_length) = (length.min(1_u32.saturating_sub(c.ramp_waits)), 0, length);
+            if softening.is_some() || !is_soft {
+                (c.soft_ea, c.soft_corners, c.wrong_side) = softening.unwrap_or_default();
+            }
         });
         self.disturb();
         Ok(())

@@ -41,6 +41,7 @@ pub(crate) fn check_model(model: &Model) -> Result<(), Refusal> {
         ("material k_facet", material.k_facet),
         ("material k_face", material.k_face),
         ("material zeta", material.zeta),
+        ("material collapse", material.collapse),
     ];
     of_all.into_iter().try_for_each(|(what, value)| check(what, value))?;
     for beam in model.beams.iter().filter(|beam| beam.own) {
@@ -169,6 +170,7 @@ mod tests {
             ("material k_facet", bird(&|_| {}, &Material { k_facet: 1e-40, ..usual })),
             ("material k_face", bird(&|_| {}, &Material { k_face: 1e31, ..usual })),
             ("material zeta", bird(&|_| {}, &Material { zeta: 1e39, ..usual })),
+            ("material collapse", bird(&|_| {}, &Material { collapse: 1e39, ..usual })),
             ("ea of the edge from node ", bird(&|p| p.edges[0].ea = Some(1e39), &usual)),
             ("stiffness of crease ", bird(&|p| p.edges.iter_mut().for_each(|e| e.k_crease = Some(1e39)), &usual)),
         ];

@@ -1,7 +1,7 @@
 //! What a step reads and writes, and how much memory a sheet takes, counted from the buffers: no GPU is asked.
 
 use origami_core::Model;
-use origami_core::solve::{Dynamics, Integrator, TimeStep};
+use origami_core::solve::{Dynamics, Relax};
 
 use origami_core::twins::fire_update;
 
@@ -10,11 +10,12 @@ use crate::device::Abilities;
 use crate::engine::sizes;
 use crate::kernels::{Binding, Kernel, Per, workgroup_dynamics, workgroup_relax};
 use crate::layout::Node;
+use crate::method::Method;
 use crate::plan::{CHECK_INTERVAL, Plan, batch};
 use crate::purpose::{Dispatch, Purpose};
 use crate::route::{Route, small_variant};
 use crate::sheet_arrays::SheetArrays;
-use crate::variant::{Scheme, Variant};
+use crate::variant::Variant;
 
 /// What one step of a single sheet moves between memory and processors, and what the sheet's buffers take.
 ///
@@ -60,37 +61,33 @@ impl Traffic {
     /// Of a relaxation by passes.
     #[must_use]
     pub fn of_relax(model: &Model) -> Self {
-        Self::of(model, Scheme::Relax, false, Dispatch::Passes)
+        Self::of(model, relax(model, Dispatch::Passes))
     }
 
     /// Of dynamics by passes.
     #[must_use]
     pub fn of_dynamics(model: &Model, method: &Dynamics) -> Self {
-        let (scheme, safe) = scheme(model, method);
-        Self::of(model, scheme, safe, Dispatch::Passes)
+        Self::of(model, dynamics(model, method, Dispatch::Passes))
     }
 
     /// Of a relaxation by blocks; by passes where there can be no blocks.
     #[must_use]
     pub fn of_relax_in_blocks(model: &Model) -> Self {
-        Self::of(model, Scheme::Relax, false, Dispatch::Blocks)
+        Self::of(model, relax(model, Dispatch::Blocks))
     }
 
     /// Of dynamics by blocks; by passes where there can be no blocks.
     #[must_use]
     pub fn of_dynamics_in_blocks(model: &Model, method: &Dynamics) -> Self {
-        let (scheme, safe) = scheme(model, method);
-        Self::of(model, scheme, safe, Dispatch::Blocks)
+        Self::of(model, dynamics(model, method, Dispatch::Blocks))
     }
 
-    pub(crate) fn of(model: &Model, scheme: Scheme, safe: bool, dispatch: Dispatch) -> Self {
+    pub(crate) fn of(model: &Model, purpose: Purpose) -> Self {
+        let safe = purpose.safe;
         let arrays = SheetArrays::new(model);
-        let plain = Variant::new(&arrays, scheme, Some(model.material));
-        let route = Route::new(
-            &arrays,
-            Purpose { scheme, safe, dispatch },
-            Abilities { hardware: false, workgroup_storage: MEMORY },
-        );
+        let plain = purpose.variant(&arrays, Some(model.material));
+        let abilities = Abilities { hardware: false, workgroup_storage: MEMORY };
+        let route = Route::new(&arrays, purpose, abilities);
         let variant = route.variant(&plain);
         let buffers = sizes(&arrays, &variant, &route).into_iter();
         let mut buffers: Vec<_> = buffers.map(|(binding, each, once)| (binding, each + once)).collect();
@@ -156,9 +153,12 @@ impl Traffic {
     }
 }
 
-fn scheme(model: &Model, method: &Dynamics) -> (Scheme, bool) {
-    let verlet = method.integrator == Integrator::Verlet;
-    (Scheme::Dynamics { verlet, damped: model.material.zeta > 0.0 }, method.time_step == TimeStep::Safe)
+fn relax(model: &Model, dispatch: Dispatch) -> Purpose {
+    Method::Relax(&Relax::default()).purpose(dispatch, [model].into_iter())
+}
+
+fn dynamics(model: &Model, method: &Dynamics, dispatch: Dispatch) -> Purpose {
+    Method::Dynamics(method).purpose(dispatch, [model].into_iter())
 }
 
 /// The share of the steps that have a check or a renewal.
@@ -264,12 +264,14 @@ fn part(kernel: &Kernel, binding: Binding, variant: &Variant) -> Part {
 #[cfg(test)]
 mod tests {
     use origami_core::generate::miura;
+    use origami_core::solve::TimeStep;
     use origami_core::{CreasePattern, Material};
 
     use super::*;
     use crate::paper::PASSES;
     use crate::shader_checks::{accesses, checked};
     use crate::testing::variants;
+    use crate::variant::Scheme;
 
     fn model(pattern: &CreasePattern, material: &Material) -> Model {
         Model::new(pattern, material).expect("a generated pattern")
@@ -334,7 +336,7 @@ mod tests {
         assert_eq!((integrate.read, integrate.written), (64 * n + 48 * t + 4 * (n + 1), 64 * n));
         assert_eq!(find("triangle_forces", 0.05).read, forces.read - 32 * n, "without damping no velocities");
         let memory =
-            148 + 64 * n + 16 * c + 24 * c + 60 * t + 48 * t + 4 * (n + 1) + 16 * t + 16 + 48 * n + 64 * n + 4 * c;
+            164 + 64 * n + 16 * c + 24 * c + 60 * t + 48 * t + 4 * (n + 1) + 16 * t + 16 + 48 * n + 64 * n + 4 * c;
         assert_eq!(traffic.memory(), memory);
         let two = PassTraffic { name: "two", per_step: 0.5, read: 60, written: 20 };
         let simple = Traffic { nodes: 4, buffers: Vec::new(), passes: vec![two, two] };

@@ -1,5 +1,6 @@
 //! What a sheet's pipelines are specialised to: which parts they are put together from, and which numbers are constants.
 
+use origami_core::forces::areas::THRESHOLD;
 use origami_core::model::{DEGENERATE, Material};
 use origami_core::twins::{checkpoint, fire_update, safe_time_step, settle_decide, state_bounds};
 use origami_shaders as wgsl;
@@ -34,6 +35,10 @@ pub(crate) struct Variant {
     pub(crate) scheme: Scheme,
     pub(crate) corners: bool,
     pub(crate) rigidities: bool,
+    /// Whether areas of triangles resist.
+    pub(crate) areas: bool,
+    /// Whether some sheets are soft on their way.
+    pub(crate) softens: bool,
     pub(crate) fixed: bool,
     /// The material of all instances; `None` where they differ.
     pub(crate) material: Option<Material>,
@@ -58,6 +63,8 @@ impl Variant {
             scheme,
             corners: !arrays.corners.is_empty(),
             rigidities: !arrays.rigidities.is_empty(),
+            areas: arrays.areas,
+            softens: false,
             fixed: arrays.fixed,
             material,
             nodes: arrays.nodes,
@@ -114,6 +121,11 @@ impl Variant {
         if self.material.is_some() { wgsl::MATERIAL_UNIFORM } else { wgsl::MATERIAL_VARIED }
     }
 
+    /// The part that says how soft the sheet is on its way.
+    pub(crate) fn soft(&self) -> &'static str {
+        if self.softens { wgsl::SOFT } else { wgsl::SOFT_NONE }
+    }
+
     /// Every constant that a shader may ask for. `advances_clock`: whether the pass over the triangles keeps the time.
     pub(crate) fn constants(&self, advances_clock: bool) -> Vec<(&'static str, f64)> {
         let is = |yes: bool| f64::from(u8::from(yes));
@@ -149,6 +161,7 @@ impl Variant {
             ("K_FACET", material.k_facet),
             ("K_FACE", material.k_face),
             ("ZETA", material.zeta),
+            ("THRESHOLD", THRESHOLD),
             ("DEGENERATE", DEGENERATE),
             ("HOLD", fire_update::HOLD),
             ("FARTHEST", state_bounds::FARTHEST),

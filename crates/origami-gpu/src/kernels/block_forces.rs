@@ -2,7 +2,7 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, in_blocks};
+use super::{Binding, Kernel, Per, SHARED, in_blocks, soft_creases};
 
 /// The kernel of `block_forces.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
@@ -10,7 +10,9 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "block_forces",
     text: wgsl::BLOCK_FORCES,
     shared: SHARED,
-    parts: |variant| [in_blocks(variant), vec![wgsl::RAMP, wgsl::ROW_SUMS, wgsl::BLOCK_ROW_SUMS]].concat(),
+    parts: |variant| {
+        [in_blocks(variant), vec![wgsl::RAMP, soft_creases(variant), wgsl::ROW_SUMS, wgsl::BLOCK_ROW_SUMS]].concat()
+    },
     uses: &[Binding::Control, Binding::Nodes, Binding::Blocks, Binding::Angles, Binding::Targets, Binding::Slots],
     springs: true,
     per: Per::Block,
@@ -20,13 +22,15 @@ pub(crate) const KERNEL: Kernel = Kernel {
 mod tests {
     use glam::DVec4;
     use origami_core::forces::Forces;
+    use origami_core::model::Softening;
     use origami_core::solve::row_sums;
 
     use super::*;
     use crate::Gpu;
     use crate::purpose::Dispatch;
     use crate::testing::bench::{Bench, held};
-    use crate::testing::cases::{Case, ROUNDING, cases, collapsed, tampered, worst};
+    use crate::testing::cases::{Case, ROUNDING, cases, collapsed, softened, tampered, worst};
+    use crate::testing::sheets::creased;
     use crate::testing::{gpu, magnitudes, sheets};
     use crate::variant::Scheme;
 
@@ -35,7 +39,10 @@ mod tests {
     const ROW_SUMS: f64 = 8.0;
 
     fn sums(gpu: &Gpu, case: &Case) -> Vec<DVec4> {
-        let bench = Bench::by(gpu, case, Scheme::Relax, Dispatch::Blocks);
+        summed(&Bench::by(gpu, case, Scheme::Relax, Dispatch::Blocks))
+    }
+
+    fn summed(bench: &Bench) -> Vec<DVec4> {
         bench.run(&[&KERNEL], false);
         let slots: Vec<[f32; 4]> = bench.read(Binding::Slots, bench.arrays.nodes);
         slots.iter().map(|slot| DVec4::from_array(slot.map(f64::from))).collect()
@@ -73,10 +80,31 @@ mod tests {
             assert!(stiffer[1] > ROW_SUMS, "{}: stiffness is seen", case.name);
             let moved = errors(&tampered(&case), &got);
             assert!(moved[0] > FORCES, "{}: a moved node is seen", case.name);
+            if case.model.k_area() > 0.0 {
+                let areas = wrong(&|c| c.model.material.collapse *= 1.001);
+                assert!(areas[0] > FORCES && areas[1] > ROW_SUMS, "{}: areas are seen", case.name);
+            }
             if !case.model.corner_angles.is_empty() {
                 let turned = wrong(&|c| c.model.material.k_face *= 1.01);
                 assert!(turned[0] > FORCES && turned[1] > ROW_SUMS, "{}: corner angles are seen", case.name);
             }
+        }
+    }
+
+    #[test]
+    fn a_soft_sheet_has_those_of_a_softer_one() {
+        let Some(gpu) = gpu() else { return };
+        let softening = Softening::default();
+        for case in creased() {
+            let case = held(&case);
+            let bench = Bench::by(&gpu, &case, Scheme::Relax, Dispatch::Blocks);
+            bench.soften(&case.model, softening);
+            let got = summed(&bench);
+            let [force, row] = errors(&softened(&case, softening), &got);
+            println!("block_forces of a soft sheet, {}: forces {force:.2}, row sums {row:.2}", case.name);
+            assert!(force < FORCES && row < ROW_SUMS, "{}: {force} and {row} roundings", case.name);
+            let [force, row] = errors(&case, &got);
+            assert!(force > FORCES && row > ROW_SUMS, "{}: as stiff as it is, it is another", case.name);
         }
     }
 

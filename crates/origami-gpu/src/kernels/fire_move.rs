@@ -2,7 +2,7 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED};
+use super::{Binding, Kernel, Per, SHARED, fire};
 
 /// The kernel of `fire_move.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "fire_move",
     text: wgsl::FIRE_MOVE,
     shared: SHARED,
-    parts: |_| vec![wgsl::FIRE],
+    parts: fire,
     uses: &[Binding::Control, Binding::Nodes],
     springs: false,
     per: Per::Node,

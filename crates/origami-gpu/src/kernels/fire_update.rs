@@ -2,7 +2,7 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED};
+use super::{Binding, Kernel, Per, SHARED, fire};
 
 /// The kernel of `fire_update.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "fire_update",
     text: wgsl::FIRE_UPDATE,
     shared: SHARED,
-    parts: |_| vec![wgsl::REDUCE, wgsl::PARTIALS, wgsl::FIRE],
+    parts: |variant| [fire(variant), vec![wgsl::REDUCE, wgsl::PARTIALS]].concat(),
     uses: &[Binding::Control, Binding::Partials],
     springs: false,
     per: Per::Instance,
@@ -18,7 +18,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
 
 #[cfg(test)]
 mod tests {
-    use origami_core::twins::fire_update::{Decision, Fire, LONGEST_STEP, Sums, fire_update};
+    use origami_core::twins::fire_update::{Decision, Fire, LONGEST_STEP, RENEWAL, Sums, fire_update};
 
     use super::*;
     use crate::layout::Control;
@@ -102,6 +102,25 @@ mod tests {
             steps.push(control.ramp_step);
         }
         assert_eq!(steps, [1, 2, 3, 3]);
+    }
+
+    #[test]
+    fn a_soft_sheet_arrives_where_its_masses_are_renewed() {
+        let Some(gpu) = gpu() else { return };
+        let bench = bench(&gpu);
+        write_sums(&bench, [1.0, 1.0, 1.0]);
+        let renewal = u32::try_from(RENEWAL).expect("few");
+        for (softest, arrives) in [(0.7, renewal), (0.0, renewal - 2)] {
+            bench.change_control(|c| {
+                (c.step, c.ramp_step, c.ramp_length, c.soft_ea) = (renewal - 4, 1, 3, softest);
+            });
+            let arrived = (0..6).find_map(|_| {
+                bench.run(&[&KERNEL], false);
+                let control = bench.control();
+                (control.ramp_step == 3).then_some(control.step)
+            });
+            assert_eq!(arrived, Some(arrives));
+        }
     }
 
     #[test]

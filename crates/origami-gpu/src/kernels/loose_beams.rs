@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "loose_beams_of_sheet",
     text: wgsl::LOOSE_BEAMS,
     shared: SHARED,
-    parts: |variant| vec![variant.material(), wgsl::WHOLE_NODES, wgsl::SLOTS, wgsl::LOOSE_BEAM],
+    parts: |variant| vec![variant.material(), variant.soft(), wgsl::WHOLE_NODES, wgsl::SLOTS, wgsl::LOOSE_BEAM],
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::LooseBeams],
     springs: false,
     per: Per::LooseBeam,

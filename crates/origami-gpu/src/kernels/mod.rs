@@ -153,6 +153,10 @@ impl Kernel {
         if self.springs && variant.rigidities && !in_blocks {
             bindings.push(Binding::Rigidities);
         }
+        if self.name == row_sums::KERNEL.name && variant.softens {
+            // Which creases are on the wrong side.
+            bindings.push(Binding::CreaseStates);
+        }
         if in_blocks && variant.loads {
             bindings.push(Binding::Loads);
         }
@@ -182,22 +186,33 @@ fn in_blocks(variant: &Variant) -> Vec<&'static str> {
 
 /// The parts of kernels that have a whole sheet.
 fn whole_sheet(variant: &Variant) -> Vec<&'static str> {
-    let own = vec![wgsl::RAMP, wgsl::SMALL_SHEET, wgsl::ROW_SUMS, wgsl::BLOCK_ROW_SUMS];
+    let own = vec![wgsl::RAMP, wgsl::SMALL_SHEET, soft_creases(variant), wgsl::ROW_SUMS, wgsl::BLOCK_ROW_SUMS];
     [springs_of_block(variant), own, vec![wgsl::REDUCE, wgsl::WINDOWS, wgsl::SETTLING]].concat()
 }
 
 /// The springs of a block, wherever it is.
 fn springs_of_block(variant: &Variant) -> Vec<&'static str> {
-    let mut parts = vec![variant.material(), wgsl::ANGLE, wgsl::HINGE, wgsl::FACE, wgsl::LOOSE_BEAM];
+    let mut parts = vec![variant.material(), variant.soft(), wgsl::ANGLE, wgsl::HINGE, wgsl::FACE, wgsl::LOOSE_BEAM];
     parts.extend([wgsl::BLOCK, wgsl::BLOCK_ANGLES]);
     parts.extend(match variant.corners {
         true => &[wgsl::CORNER_ANGLES, wgsl::BLOCK_CORNERS][..],
         false => &[wgsl::CORNER_ANGLES_NONE],
     });
+    parts.extend(if variant.areas { &[wgsl::AREAS, wgsl::BLOCK_AREAS][..] } else { &[wgsl::AREAS_NONE] });
     parts.push(if variant.rigidities { wgsl::BLOCK_RIGIDITY_OWN } else { wgsl::RIGIDITY_UNIFORM });
     parts.push(if variant.loads { wgsl::LOADS } else { wgsl::LOADS_NONE });
     parts.extend([wgsl::FOLD_ANGLES, wgsl::TRIANGLE_FORCES, wgsl::CLOCK, wgsl::BLOCK_SPRINGS]);
     parts
+}
+
+/// The part that tells what creases on the wrong side add to the row sums.
+fn soft_creases(variant: &Variant) -> &'static str {
+    if variant.softens { wgsl::SOFT_CREASES } else { wgsl::SOFT_CREASES_NONE }
+}
+
+/// The parts of FIRE.
+fn fire(variant: &Variant) -> Vec<&'static str> {
+    vec![variant.soft(), wgsl::FIRE]
 }
 
 /// The parts that sum the forces on a node.
@@ -207,7 +222,7 @@ fn gather(variant: &Variant) -> Vec<&'static str> {
 
 /// The parts that tell how stiff a crease is.
 fn creases(variant: &Variant) -> Vec<&'static str> {
-    let mut parts = vec![variant.material(), wgsl::ANGLE, wgsl::RAMP, wgsl::HINGE, wgsl::FACE];
+    let mut parts = vec![variant.material(), variant.soft(), wgsl::ANGLE, wgsl::RAMP, wgsl::HINGE, wgsl::FACE];
     parts.extend([wgsl::WHOLE_NODES, wgsl::WHOLE_CREASES, wgsl::WHOLE_LISTS]);
     parts
 }
@@ -221,6 +236,7 @@ fn springs(variant: &Variant) -> Vec<&'static str> {
     } else {
         &[wgsl::CORNER_ANGLES_NONE]
     });
+    parts.extend(if variant.areas { &[wgsl::AREAS, wgsl::WHOLE_AREAS][..] } else { &[wgsl::AREAS_NONE] });
     parts.push(if variant.rigidities { wgsl::RIGIDITY_OWN } else { wgsl::RIGIDITY_UNIFORM });
     parts
 }

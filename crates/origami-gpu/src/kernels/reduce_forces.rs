@@ -2,7 +2,7 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, gather};
+use super::{Binding, Kernel, Per, SHARED, fire, gather};
 
 /// The kernel of `reduce_forces.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "reduce_forces",
     text: wgsl::REDUCE_FORCES,
     shared: SHARED,
-    parts: |variant| [gather(variant), vec![wgsl::REDUCE, wgsl::PARTIALS, wgsl::FIRE]].concat(),
+    parts: |variant| [gather(variant), fire(variant), vec![wgsl::REDUCE, wgsl::PARTIALS]].concat(),
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows, Binding::Partials],
     springs: false,
     per: Per::Node,

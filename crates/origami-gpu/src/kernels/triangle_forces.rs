@@ -20,12 +20,14 @@ pub(crate) const KERNEL: Kernel = Kernel {
 mod tests {
     use glam::{DVec3, DVec4};
     use origami_core::forces::{Forces, damping};
+    use origami_core::model::Softening;
 
     use super::super::fold_angles;
     use super::*;
     use crate::Gpu;
     use crate::testing::bench::{Bench, EULER, held};
-    use crate::testing::cases::{Case, ROUNDING, cases, collapsed, tampered, worst};
+    use crate::testing::cases::{Case, ROUNDING, cases, collapsed, softened, tampered, worst};
+    use crate::testing::sheets::creased;
     use crate::testing::{gpu, magnitudes, sheets};
     use crate::variant::Scheme;
 
@@ -76,6 +78,9 @@ mod tests {
         if !case.model.corner_angles.is_empty() {
             wrongs.push(("corner angles", wrong(&|c| c.model.material.k_face *= 1.01)));
         }
+        if case.model.k_area() > 0.0 {
+            wrongs.push(("areas", wrong(&|c| c.model.material.collapse *= 1.001)));
+        }
         wrongs
     }
 
@@ -95,6 +100,30 @@ mod tests {
             }
             let relaxing = self::error(&case, &sums(&gpu, &case, Scheme::Relax), false);
             assert!(relaxing < TOLERANCE, "{}, no damping in a relaxation: {relaxing} roundings", case.name);
+        }
+    }
+
+    #[test]
+    fn a_soft_sheet_has_the_forces_of_a_softer_one() {
+        let Some(gpu) = gpu() else { return };
+        let softening = Softening::default();
+        for case in creased() {
+            let case = held(&case);
+            let bench = Bench::new(&gpu, &case, Scheme::Relax);
+            bench.soften(&case.model, softening);
+            bench.run(&bench.with_loose(&[&fold_angles::KERNEL, &KERNEL]), false);
+            let got = bench.gathered();
+            let error = error(&softened(&case, softening), &got, false);
+            println!("triangle_forces of a soft sheet, {}: {error:.2}", case.name);
+            assert!(error < TOLERANCE, "{}: {error} roundings", case.name);
+            assert!(self::error(&case, &got, false) > TOLERANCE, "{}: as stiff as it is, it is another", case.name);
+            let other = Softening { wrong_side: 1.001 * softening.wrong_side, ..softening };
+            let seen = self::error(&softened(&case, other), &got, false) > TOLERANCE;
+            assert!(seen || case.state.targets.iter().all(|t| *t == 0.0), "{}: creases are pulled back", case.name);
+            // At the end of the ramp it is as stiff as its material.
+            bench.change_control(|c| c.ramp_step = c.ramp_length);
+            bench.run(&bench.with_loose(&[&fold_angles::KERNEL, &KERNEL]), false);
+            assert!(self::error(&case, &bench.gathered(), false) < TOLERANCE, "{}", case.name);
         }
     }
 

@@ -4,17 +4,18 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use bytemuck::Pod;
-use origami_core::State;
+use origami_core::model::Softening;
 use origami_core::scene::{Held, Scene};
 use origami_core::solve::{Integrator, time_step};
+use origami_core::{Model, State};
 
 use crate::Gpu;
 use crate::engine::Engine;
 use crate::kernels::{Binding, Kernel, loose_beams};
 use crate::layout::{Control, Node};
 use crate::pipeline::Pass;
-use crate::purpose::Dispatch;
-use crate::run::Beginning;
+use crate::purpose::{Dispatch, Purpose};
+use crate::run::{Beginning, softened};
 use crate::sheet_arrays::SheetArrays;
 use crate::testing::cases::Case;
 use crate::variant::Scheme;
@@ -48,7 +49,8 @@ impl Bench {
 
     /// The same with the buffers of another way.
     pub(crate) fn by(gpu: &Gpu, case: &Case, scheme: Scheme, dispatch: Dispatch) -> Self {
-        let engine = Engine::bare(gpu, &case.model, scheme, dispatch).expect("it fits");
+        let purpose = Purpose { scheme, safe: false, softens: scheme == Scheme::Relax, dispatch };
+        let engine = Engine::bare(gpu, &case.model, purpose).expect("it fits");
         let integrator = match scheme {
             Scheme::Dynamics { verlet: true, .. } => Integrator::Verlet,
             _ => Integrator::Euler,
@@ -60,6 +62,7 @@ impl Bench {
             loads: Vec::new(),
             targets: case.state.targets.clone(),
             ramp: 0,
+            softening: None,
             limit: 1000,
             tolerance: 1e-4,
             stops_when_settled: true,
@@ -113,6 +116,14 @@ impl Bench {
         let mut control = self.control();
         change(&mut control);
         self.write(Binding::Control, &[control]);
+    }
+
+    /// On the way, so soft.
+    pub(crate) fn soften(&self, model: &Model, softening: Softening) {
+        self.change_control(|c| {
+            (c.ramp_step, c.ramp_length) = (1, 2);
+            (c.soft_ea, c.soft_corners, c.wrong_side) = softened(model, softening);
+        });
     }
 
     pub(crate) fn nodes(&self) -> Vec<Node> {

@@ -1,9 +1,10 @@
 //! Sheets, and comparisons of what comes of them on a GPU with what the core computes.
 
 use glam::{DQuat, DVec3};
-use origami_core::forces::unwrapped;
+use origami_core::forces::{creases, unwrapped};
 use origami_core::generate::{BirdBase, Kresling, Miura};
 use origami_core::ids::VertexId;
+use origami_core::model::Softening;
 use origami_core::pattern::{Assignment, CreasePattern, PatternEdge, fold_angle};
 use origami_core::{Material, Model, State};
 
@@ -210,6 +211,22 @@ pub(crate) fn reach(case: &Case, [from, to]: [usize; 2]) -> f64 {
     let (rest, now) =
         (case.model.rest[to] - case.model.rest[from], case.state.positions[to] - case.state.positions[from]);
     rest.length() + (now - rest).length() + now.length()
+}
+
+/// A case whose plain forces are those of `case` where it is soft: softer beams and corner angles, and creases that are pulled
+/// back from the wrong side.
+pub(crate) fn softened(case: &Case, softening: Softening) -> Case {
+    let mut soft = case.clone();
+    soft.model.beams.iter_mut().for_each(|beam| beam.stiffness = softening.of_beam(&case.model, beam));
+    soft.model.material.k_face *= softening.corner_angles;
+    let angles = creases::fold_angles(&case.model, &case.state.positions, &case.state.fold_angles);
+    for ((crease, target), angle) in soft.model.creases.iter_mut().zip(&mut soft.state.targets).zip(angles) {
+        if angle * *target < 0.0 {
+            *target /= 1.0 + softening.wrong_side;
+            crease.stiffness *= 1.0 + softening.wrong_side;
+        }
+    }
+    soft
 }
 
 /// The case with one node moved a little: what a comparison must find.

@@ -1,6 +1,9 @@
 //! How large the numbers are that go into the forces: what rounding takes its share of.
 
+use glam::DVec3;
+use origami_core::forces::areas::{THRESHOLD, resisting};
 use origami_core::forces::{creases, damping};
+use origami_core::ids::TriangleId;
 
 use crate::layout::QUANTUM;
 use crate::testing::cases::Case;
@@ -73,7 +76,48 @@ pub(crate) fn of_forces(case: &Case, damped: bool) -> Vec<f64> {
             sums[n] += std::f64::consts::PI * model.material.k_face * pull * thinness(longest, height);
         }
     }
+    for (nodes, area) in of_areas(case) {
+        for n in nodes {
+            sums[n] += area.slope * area.longest * area.amplified;
+        }
+    }
     sums
+}
+
+/// An area that resists.
+struct Area {
+    /// The parts of the slope of its energy by twice the area, without cancellation.
+    slope: f64,
+    curvature: f64,
+    longest: f64,
+    /// By how much rounding errors of the area grow, now and at rest.
+    amplified: f64,
+}
+
+fn of_areas(case: &Case) -> Vec<([usize; 3], Area)> {
+    let (model, positions) = (&case.model, &case.state.positions);
+    let own = |triangle: TriangleId| {
+        let nodes = model.mesh.triangles[triangle.index()].map(|n| n.index());
+        let shape = |points: [DVec3; 3]| {
+            let [a, b, c] = points;
+            let sides = [b - a, c - b, a - c].map(DVec3::length);
+            (sides, (b - a).cross(c - a).length())
+        };
+        let (sides, doubled_area) = shape(nodes.map(|n| positions[n]));
+        let (at_rest, doubled_at_rest) = shape(nodes.map(|n| model.rest[n]));
+        let longest = sides.into_iter().fold(0.0, f64::max);
+        let threshold = THRESHOLD * doubled_at_rest;
+        let stiffness = model.k_area() * at_rest.iter().sum::<f64>();
+        let from_sides = (at_rest[0] * at_rest[2] / doubled_at_rest).powi(2);
+        let area = Area {
+            slope: stiffness * (1.0 / threshold + threshold / doubled_area.powi(2)),
+            curvature: 2.0 * stiffness * threshold / doubled_area.powi(3),
+            longest,
+            amplified: 3.0 * (thinness(longest, doubled_area / longest) + from_sides),
+        };
+        (nodes, area)
+    };
+    resisting(model, positions).map(own).collect()
 }
 
 /// By node: what its row sum is made of, without cancellation and with what rounding amplifies.
@@ -93,6 +137,9 @@ pub(crate) fn of_row_sums(case: &Case) -> Vec<f64> {
         let sides = [0, 1, 2].map(|i| 1.0 / points[i].distance(points[(i + 1) % 3]));
         let pull: f64 = sides.iter().sum();
         corners.nodes.iter().for_each(|n| sums[n.index()] += 4.0 * model.material.k_face * pull * pull);
+    }
+    for (nodes, area) in of_areas(case) {
+        nodes.iter().for_each(|n| sums[*n] += 3.0 * area.curvature * area.longest * area.longest * area.amplified);
     }
     sums
 }

@@ -6,7 +6,7 @@ use origami_core::ids::VertexId;
 use origami_core::pattern::{Assignment, CreasePattern, PatternEdge};
 use origami_core::{Material, Model, State};
 
-use crate::testing::cases::{Case, Random};
+use crate::testing::cases::{Case, Random, cases};
 
 fn edge(a: u32, b: u32, ea: Option<f64>) -> PatternEdge {
     let vertices = [a, b].map(VertexId);
@@ -40,6 +40,15 @@ fn moved(name: &'static str, model: Model) -> Case {
     Case { name, model, state }
 }
 
+/// The same of a sheet that is squeezed, so that most triangles have less than a fifth of their area.
+fn squeezed(name: &'static str, model: Model) -> Case {
+    let mut case = moved(name, model);
+    for (position, rest) in case.state.positions.iter_mut().zip(&case.model.rest) {
+        *position = DVec3::new(rest.x, 0.1 * rest.y, rest.z) + 0.1 * (*position - *rest);
+    }
+    case
+}
+
 /// Loose beams, and sheets without damping, corner angles, creases, or with two stiffnesses.
 pub(crate) fn special() -> Vec<Case> {
     let miura = |material: Material| {
@@ -54,8 +63,15 @@ pub(crate) fn special() -> Vec<Case> {
         moved("no folds", miura(Material { k_fold: 0.0, ..plain })),
         moved("no springs but beams", miura(Material { k_fold: 0.0, k_facet: 0.0, k_face: 0.0, ..plain })),
         moved("two stiffnesses", miura(Material { k_fold: 3.0, k_facet: 0.2, ..plain })),
+        squeezed("areas", miura(Material::default())),
+        squeezed("areas without corner angles", miura(Material { k_face: 0.0, collapse: 0.5, ..Material::default() })),
         beam(DVec3::new(0.7, 0.1, -0.3), DVec3::new(-0.2, 0.4, 0.6)),
     ]
+}
+
+/// All cases with creases that resist: others are never soft.
+pub(crate) fn creased() -> impl Iterator<Item = Case> {
+    cases().into_iter().chain(special()).filter(|case| case.model.stiffest_crease > 0.0)
 }
 
 /// Which of the beams of [`beam`] is the long one.

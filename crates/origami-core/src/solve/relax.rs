@@ -11,7 +11,7 @@ use super::fire::Minimiser;
 use super::perturb::perturb;
 use super::ramp::Ramp;
 use super::saddle::leave;
-use super::state::is_flat;
+use super::state::{is_flat, lost_creases};
 use super::stepper::{Limit, Mover, Stepper};
 use super::threads::{count, share};
 use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, Session, Solver, State, Stop};
@@ -32,6 +32,9 @@ const LONGER_RAMP: u32 = 3;
 const LOST_RAMPS: u64 = 2;
 /// Ramps for which an attempt goes on at the final targets with a triangle crushed: one may open again.
 const CRUSHED_RAMPS: u64 = 10;
+/// Factorisations after which Newton's method gives a sheet back to FIRE.
+#[cfg(feature = "newton")]
+const FACTORISATIONS: u32 = 60;
 /// The shortest ramp that is taken by itself.
 const SHORTEST_RAMP: u32 = 100;
 
@@ -71,6 +74,14 @@ pub struct Relax {
     /// A jump and a way that begins elsewhere are not softened, nor is a sheet under loads or forces of one's own. `None`: as
     /// stiff as its material all the way. Default: [`Softening::default`].
     pub softening: Option<Softening>,
+    /// Sides shorter than this share of their mean join their ends to a cluster, which has a mass of its own for what it does
+    /// as one; the sheet need not drag along what a short side makes heavy. Larger: more nodes are in clusters; 0: none.
+    /// GPUs have none. Default 0.4.
+    pub near: f64,
+    /// After how many evaluations at the final targets, in default ramps, Newton's method takes over (feature `newton`; not
+    /// while a triangle is crushed): a sheet that takes longer crawls. Its claim is checked as any other. Smaller: earlier;
+    /// `None`: never. GPUs do not hand over. Default 4.
+    pub hand_over: Option<u32>,
     /// The numbers in which the processor computes: [`Precision::Mixed`] for speed, where a tolerance of 1e-6 or more will
     /// do. GPUs have numbers of their own. Default f64.
     pub precision: Precision,
@@ -90,6 +101,8 @@ impl Default for Relax {
             perturbation: 1e-2,
             saddle_search: 0.1,
             softening: Some(Softening::default()),
+            near: 0.4,
+            hand_over: Some(4),
             precision: Precision::F64,
             threads: None,
         }
@@ -316,7 +329,7 @@ impl Relax {
     ) -> Stepper<R> {
         let ramp = Ramp::new(&start.targets, targets, ramp);
         let softening = softening.filter(|_| !ramp.done());
-        let mover = Mover::Relax(Minimiser::new(model));
+        let mover = Mover::Relax(Minimiser::new(model, self.near));
         let mut stepper = Stepper::new((model, start), scene, (positions, &[]), (mover, ramp), self.tolerance, threads);
         stepper.soften(model, softening);
         stepper
@@ -392,16 +405,70 @@ impl Run<'_> {
         if limit == 0 {
             return kept;
         }
+        if let Some(finished) = self.finish::<R>(&kept, limit, threads, observe) {
+            return finished;
+        }
         let (state, steps) = (&kept.state, kept.steps);
         let way = (scene, state.targets.clone(), 0, None);
         let mut stepper = relax.stepper::<R>((model, state), state.positions.clone(), way, threads);
         let crushed = Some(CRUSHED_RAMPS * u64::from(default_ramp(model)));
         let mut observe = |progress: Progress| observe(Progress { step: steps + progress.step, ..progress });
-        let limit = Limit { steps: limit, all: false, crushed, lost: None };
+        let limit = Limit { steps: limit, all: false, crushed, lost: None, crawls: None };
         // A state at hand is finite: that it diverges from there does not take it away.
         let Ok(stop) = stepper.run((model, state), limit, &mut observe) else { return kept };
         let settled = stepper.into_folded(model, scene, scene.targets.clone(), stop);
-        Folded { steps: steps + settled.steps, attempts: kept.attempts, ..settled }
+        let factorisations = kept.factorisations;
+        Folded { steps: steps + settled.steps, attempts: kept.attempts, factorisations, ..settled }
+    }
+
+    /// Hands over to Newton's method, whose claim FIRE then has to confirm, within `limit` evaluations; `None` where it brings
+    /// the sheet to no rest.
+    #[cfg(feature = "newton")]
+    fn finish<R: Compute>(
+        &self,
+        kept: &Folded,
+        limit: u64,
+        threads: usize,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Option<Folded> {
+        let Self { relax, model, scene, .. } = *self;
+        relax.hand_over?;
+        let mut watch = |step| {
+            observe(Progress { step: kept.steps + step, ramp: 1.0, distance: kept.distance })
+        };
+        let limits = (relax.tolerance, FACTORISATIONS, limit);
+        let finished = super::newton::finish((model, scene), &kept.state, limits, &mut watch)?;
+        if std::env::var("DBG").is_ok() { eprintln!("  handed over at {} E {:.4e} dist {:.2e}: settled {} fact {} evals {} E {:.6e} lost {}", kept.steps, kept.state.energy(model).total(), kept.distance, finished.settled, finished.factorisations, finished.evaluations, finished.state.energy(model).total(), finished.state.lost_creases()); }
+        if !finished.settled {
+            return None;
+        }
+        let steps = kept.steps + finished.evaluations;
+        let state = &finished.state;
+        let way = (scene, state.targets.clone(), 0, None);
+        let mut stepper = relax.stepper::<R>((model, state), state.positions.clone(), way, threads);
+        let left = limit.saturating_sub(finished.evaluations);
+        let limit = Limit { steps: left, all: false, crushed: None, lost: None, crawls: None };
+        let mut observe = |progress: Progress| observe(Progress { step: steps + progress.step, ..progress });
+        let stop = stepper.run((model, state), limit, &mut observe).ok()?;
+        let confirmed = stepper.into_folded(model, scene, scene.targets.clone(), stop);
+        Some(Folded {
+            steps: steps + confirmed.steps,
+            attempts: kept.attempts,
+            factorisations: kept.factorisations + finished.factorisations,
+            ..confirmed
+        })
+    }
+
+    /// Without Newton's method there is nothing to hand over to.
+    #[cfg(not(feature = "newton"))]
+    fn finish<R: Compute>(
+        &self,
+        _: &Folded,
+        _: u64,
+        _: usize,
+        _: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Option<Folded> {
+        None
     }
 
     fn attempt<R: Compute>(
@@ -418,7 +485,22 @@ impl Run<'_> {
         let ramps = |count: u64| count * u64::from(default_ramp(model));
         let crushed = relax.steps.is_none().then(|| ramps(CRUSHED_RAMPS));
         let lost = relax.retries().then(|| ramps(LOST_RAMPS));
-        let limit = Limit { steps: attempt.limit, all: relax.steps.is_some(), crushed, lost };
+        let crawls = relax.hand_over.filter(|_| cfg!(feature = "newton") && relax.steps.is_none());
+        let crawls = crawls.map(|count| ramps(u64::from(count)));
+        let mut limit = Limit { steps: attempt.limit, all: relax.steps.is_some(), crushed, lost, crawls };
+        let stop = stepper.run((model, start), limit, observe)?;
+        let crawled = stop == Stop::StepLimit
+            && stepper.steps < attempt.limit
+            && (lost.is_none() || lost_creases(&stepper.state.fold_angles, stepper.ramp.asked()) == 0);
+        if !crawled {
+            return Ok(stepper.into_folded(model, scene, scene.targets.clone(), stop));
+        }
+        let kept = stepper.clone().into_folded(model, scene, scene.targets.clone(), stop);
+        let left = attempt.limit.saturating_sub(kept.steps);
+        if let Some(finished) = self.finish::<R>(&kept, left, threads, observe) {
+            return Ok(finished);
+        }
+        limit.crawls = None;
         let stop = stepper.run((model, start), limit, observe)?;
         Ok(stepper.into_folded(model, scene, scene.targets.clone(), stop))
     }

@@ -36,9 +36,9 @@ const STEPS: u64 = 300;
 
 const WAYS: &[Dispatch] = Dispatch::WAYS;
 
-/// What shaders have of it: neither softening on the way nor the search for saddles.
+/// What shaders have of it: neither softening on the way nor clusters of near nodes nor the search for saddles.
 fn relax() -> Relax {
-    Relax { softening: None, saddle_search: 0.0, ..Relax::default() }
+    Relax { softening: None, near: 0.0, saddle_search: 0.0, hand_over: None, ..Relax::default() }
 }
 
 fn built(pattern: &CreasePattern, material: Material) -> Model {

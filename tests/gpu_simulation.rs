@@ -27,9 +27,9 @@ const EQUILIBRIUM: f64 = 1e-3;
 /// [`TRAJECTORY`] makes a force of that times the stiffness of a short beam.
 const FORCE: f64 = 1e-3;
 
-/// What shaders have of it: neither softening on the way nor the search for saddles.
+/// What shaders have of it: neither softening on the way nor clusters of near nodes nor the search for saddles.
 fn relax() -> Relax {
-    Relax { softening: None, saddle_search: 0.0, ..Relax::default() }
+    Relax { softening: None, near: 0.0, saddle_search: 0.0, hand_over: None, ..Relax::default() }
 }
 
 /// Steps that hold on every sheet.

@@ -19,6 +19,7 @@ pub(super) struct Minimiser {
     sums: Vec<f64>,
     #[cfg_attr(feature = "serde", serde(skip))]
     way: OnTheWay,
+    /// Of their nodes there are no masses.
     clusters: Clusters,
     fire: Fire,
     evaluations: u64,
@@ -28,7 +29,8 @@ impl Minimiser {
     /// `near` is [`Relax::near`](super::Relax::near).
     pub(super) fn new(model: &Model, near: f64) -> Self {
         let (masses, sums) = (vec![[0.0; 2]; model.node_count()], vec![0.0; model.node_count()]);
-        Self { masses, sums, way: OnTheWay::default(), clusters: Clusters::new(model, near), fire: Fire::default(), evaluations: 0 }
+        let clusters = Clusters::new(model, near);
+        Self { masses, sums, way: OnTheWay::default(), clusters, fire: Fire::default(), evaluations: 0 }
     }
 
     /// The present step, in units of each node's own.
@@ -61,10 +63,11 @@ impl Minimiser {
             self.way.softening = kernel.softening();
             kernel.read_wrong_sides(&mut self.way.wrong);
             let shared = kernel.shared();
-            all_row_sums(shared, (model, &self.way, surroundings.forces()), &state.positions, &mut self.sums);
+            let sheet = (model, &self.way, surroundings.forces());
+            all_row_sums(shared, sheet, &state.positions, &mut self.sums);
             self.masses.clear();
             self.masses.extend(self.sums.iter().map(|mass| [*mass, 1.0 / mass]));
-            self.clusters.take((model, &self.way), &state.positions, &mut self.masses);
+            self.clusters.take(sheet, &state.positions, &mut self.masses);
         }
         self.evaluations += 1;
         let sums = kernel.reduce_forces(&self.masses);

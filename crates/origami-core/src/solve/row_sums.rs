@@ -60,7 +60,7 @@ fn shared_row_sums(shared: bool, (model, way): (&Model, &OnTheWay), positions: &
 /// Adds to `sums` the row sums of clusters of nodes that move as one, by the springs that resist that: of each node `cluster`
 /// has the number of its own.
 pub(super) fn cluster_sums(
-    (model, way): (&Model, &OnTheWay),
+    (model, way, own): (&Model, &OnTheWay, &[Arc<dyn Force>]),
     cluster: &[Option<u32>],
     positions: &[DVec3],
     sums: &mut [f64],
@@ -112,6 +112,16 @@ pub(super) fn cluster_sums(
     }
     for (_, nodes, triangle, area) in acting(model, positions).filter(|(_, nodes, ..)| numbers(nodes)) {
         add(&nodes, &triangle.area_gradient(), area.curvature(triangle.doubled_area()));
+    }
+    // Of forces of one's own nothing is known but the bounds of the nodes, which bound that of the cluster together.
+    let mut of_nodes = vec![0.0; if own.is_empty() { 0 } else { cluster.len() }];
+    own.iter().for_each(|own| {
+        own.add_row_sums(positions, &mut of_nodes);
+    });
+    for (sum, number) in of_nodes.iter().zip(cluster) {
+        if let Some(number) = number {
+            sums[*number as usize] += sum;
+        }
     }
 }
 

@@ -323,7 +323,19 @@ impl<R: Compute> Stepper<R> {
             arrive(model, &held, &mut state, (&accelerations, values), half_a_step);
         }
         let reactions = forces.reactions().to_vec();
-        Folded { state, targets, stop, steps, time_step, residual, distance, attempts: 1, saddles: 0, factorisations: 0, reactions }
+        Folded {
+            state,
+            targets,
+            stop,
+            steps,
+            time_step,
+            residual,
+            distance,
+            attempts: 1,
+            saddles: 0,
+            factorisations: 0,
+            reactions,
+        }
     }
 }
 

@@ -106,7 +106,8 @@ impl Solver for PaperDynamics {
             residual,
             distance,
             attempts: 1,
-            saddles: 0, factorisations: 0,
+            saddles: 0,
+            factorisations: 0,
             reactions,
         })
     }

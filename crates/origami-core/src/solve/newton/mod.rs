@@ -315,35 +315,32 @@ pub struct OutOfMemory {
     pub rows: usize,
 }
 
-/// Where a relaxation that crawls ends up, downhill from `state`; `None` where the scene or the memory does not allow it, or
-/// where so many factorisations do not bring it to rest within `tolerance` radii.
-pub(super) fn finish(
+/// Where a relaxation that crawls would end up.
+pub(super) struct Approach {
+    pub(super) state: State,
+    /// Whether it was broken off by who watched it.
+    pub(super) cancelled: bool,
+    pub(super) factorisations: u32,
+    pub(super) evaluations: u64,
+}
+
+/// Downhill from `state` until a step is next to nothing for the tolerance, in radii, or so many factorisations or evaluations
+/// have been made; `None` where a force of the scene's own or the memory does not allow it.
+pub(super) fn approach(
     (model, scene): (&Model, &Scene),
     state: &State,
     (tolerance, most_factorisations, most_evaluations): (f64, u32, u64),
     observe: &mut dyn FnMut(u64) -> ControlFlow<()>,
-) -> Option<Finished> {
+) -> Option<Approach> {
     let mut descent = descent(model, state, scene).ok()?;
     descent.begin(most_evaluations);
-    let mut state = state.clone();
-    let near = STILL * tolerance;
-    let mut cancelled = false;
-    let (end, _) = descent.descend(&mut state, 0.0, most_factorisations, &mut |evaluations, moved| {
+    let (mut state, mut cancelled) = (state.clone(), false);
+    descent.descend(&mut state, 0.0, most_factorisations, &mut |evaluations, moved| {
         cancelled = observe(evaluations).is_break();
-        if cancelled || moved < near { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if cancelled || moved < STILL * tolerance { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
-    let settled = end == End::Settled || end == End::Cancelled && !cancelled;
-    state.velocities.fill(DVec3::ZERO);
-    Some(Finished { state, settled, factorisations: descent.factorisations, evaluations: descent.evaluations })
-}
-
-/// What [`finish`] came to.
-pub(super) struct Finished {
-    pub(super) state: State,
-    /// Whether the last step was next to nothing, or the forces are rounding.
-    pub(super) settled: bool,
-    pub(super) factorisations: u32,
-    pub(super) evaluations: u64,
+    let Descent { factorisations, evaluations, .. } = descent;
+    Some(Approach { state, cancelled, factorisations, evaluations })
 }
 
 fn descent<'m>(model: &'m Model, start: &State, scene: &Scene) -> Result<Descent<'m>, Failed> {

@@ -36,9 +36,9 @@ const STEPS: u64 = 300;
 
 const WAYS: &[Dispatch] = Dispatch::WAYS;
 
-/// What shaders have of it: all but the search for saddles.
+/// What shaders have of it: neither clusters of near nodes nor the search for saddles nor Newton's method.
 fn relax() -> Relax {
-    Relax { saddle_search: 0.0, ..Relax::default() }
+    Relax { near: 0.0, saddle_search: 0.0, hand_over: None, ..Relax::default() }
 }
 
 fn built(pattern: &CreasePattern, material: Material) -> Model {

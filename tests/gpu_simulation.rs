@@ -27,10 +27,10 @@ const EQUILIBRIUM: f64 = 1e-3;
 /// [`TRAJECTORY`] makes a force of that times the stiffness of a short beam.
 const FORCE: f64 = 1e-3;
 
-/// Without the search for saddles, which shaders have not; and as stiff on the way as at its end, since a soft sheet arrives a few
-/// evaluations later there.
+/// What shaders have of it: neither clusters of near nodes nor the search for saddles nor Newton's method; and as stiff on the way
+/// as at its end, since a soft sheet arrives a few evaluations later there.
 fn relax() -> Relax {
-    Relax { softening: None, saddle_search: 0.0, ..Relax::default() }
+    Relax { softening: None, near: 0.0, saddle_search: 0.0, hand_over: None, ..Relax::default() }
 }
 
 /// Steps that hold on every sheet.

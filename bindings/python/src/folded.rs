@@ -48,6 +48,8 @@ struct Told {
     distance: f64,
     attempts: u32,
     saddles: u32,
+    #[serde(default)]
+    factorisations: u32,
     reactions: Vec<Reaction>,
     run: Run,
 }
@@ -283,6 +285,7 @@ impl Folded {
             distance,
             attempts,
             saddles,
+            factorisations,
             reactions,
         } = folded;
         let told = Told {
@@ -294,6 +297,7 @@ impl Folded {
             distance: *distance,
             attempts: *attempts,
             saddles: *saddles,
+            factorisations: *factorisations,
             reactions: reactions.clone(),
             run: run.clone(),
         };
@@ -334,11 +338,21 @@ pub(crate) fn refold(
         fold_angles: to_numbers("fold_angles", &fold_angles, own.creases.len(), "creases")?,
         targets: to_numbers("targets", &targets, own.creases.len(), "creases")?,
     };
-    let Told { targets, stop, steps, time_step, residual, distance, attempts, saddles, reactions, run } =
-        depythonize(told)?;
-    let folded =
-        origami::Folded { state, targets, stop, steps, time_step, residual, distance, attempts, saddles, reactions };
-    Ok(Folded::new(model.clone().unbind(), folded, run))
+    let told: Told = depythonize(told)?;
+    let folded = origami::Folded {
+        state,
+        targets: told.targets,
+        stop: told.stop,
+        steps: told.steps,
+        time_step: told.time_step,
+        residual: told.residual,
+        distance: told.distance,
+        attempts: told.attempts,
+        saddles: told.saddles,
+        factorisations: told.factorisations,
+        reactions: told.reactions,
+    };
+    Ok(Folded::new(model.clone().unbind(), folded, told.run))
 }
 
 /// The held vertices and the forces on them.

@@ -112,6 +112,8 @@ fn relax(settings: &Bound<'_, PyAny>) -> PyResult<Relax> {
         softening: softening(&settings.getattr("softening")?)?,
         perturbation: share(settings, "perturbation")?,
         saddle_search: at_least_zero(settings, "saddle_search")?,
+        near: at_least_zero(settings, "near")?,
+        hand_over: setting(settings, "hand_over")?,
         precision: precision(settings)?,
         threads: threads(settings)?,
     })

@@ -124,7 +124,19 @@ pub(crate) fn folded(
     };
     let steps = u64::from(control.step);
     let (targets, distance) = (scene.targets.clone(), distance(control));
-    Ok(Folded { state, targets, stop, steps, time_step, residual, distance, attempts: 1, saddles: 0, reactions })
+    Ok(Folded {
+        state,
+        targets,
+        stop,
+        steps,
+        time_step,
+        residual,
+        distance,
+        attempts: 1,
+        saddles: 0,
+        factorisations: 0,
+        reactions,
+    })
 }
 
 /// An instance of which a node left all bounds.

@@ -99,6 +99,10 @@ class Relax(_Solver):
         saddles are left sooner; 0: none.
     saddle_search: products with the stiffness that look for a way down from where the sheet has settled, as a share of the
         steps before. More: saddles are found more often; 0: none.
+    near: sides shorter than this share of their mean join their ends to a cluster that moves as one. Larger: more of them;
+        0: none.
+    hand_over: ramps at the final targets after which Newton's method takes over from a sheet that crawls. Smaller: earlier;
+        None: never.
     precision: the numbers in which the processor computes: `f64`, or `mixed` for speed with a tolerance of 1e-6 or more.
     threads: threads that share the steps of a large sheet. None: as many as there are processors.
     """
@@ -113,6 +117,8 @@ class Relax(_Solver):
     softening: Softening | None = Softening()
     perturbation: float = 1e-2
     saddle_search: float = 0.1
+    near: float = 0.4
+    hand_over: int | None = 4
     precision: Literal["f64", "mixed"] = "f64"
     threads: int | None = None
 

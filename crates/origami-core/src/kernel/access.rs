@@ -66,6 +66,18 @@ impl<R: Compute> Kernel<R> {
         }
     }
 
+    /// The force on a node of a relaxation, as the last [`Kernel::reduce_forces`] has it, and its velocity.
+    pub(crate) fn force_and_velocity(&self, node: NodeId) -> [DVec3; 2] {
+        [&self.forces, &self.velocities].map(|list| R::vector(list[node.index()]))
+    }
+
+    /// Moves a node, and makes it faster.
+    pub(crate) fn shift(&mut self, node: NodeId, moved: DVec3, faster: DVec3) {
+        let (position, velocity) = (&mut self.positions[node.index()], &mut self.velocities[node.index()]);
+        *position = f64::quad_of(f64::vector(*position) + moved);
+        *velocity = R::quad_of(R::vector(*velocity) + faster);
+    }
+
     /// Takes other fold angles.
     pub(crate) fn set_angles(&mut self, angles: &[f64]) {
         self.layout.by_crease(angles.iter().copied(), &mut self.angles);

@@ -34,6 +34,11 @@ impl Held {
         self.0.is_empty()
     }
 
+    /// Whether a node is held along any axis.
+    pub(crate) fn holds(&self, node: NodeId) -> bool {
+        self.0.binary_search_by_key(&node, |(own, _)| *own).is_ok()
+    }
+
     /// The nodes, in order, and the axes along which each is held.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (NodeId, Axes)> + Clone + '_ {
         self.0.iter().copied()

@@ -42,11 +42,12 @@ pub fn better(
     match (kept, other) {
         (Ok(kept), Ok(other)) => {
             let steps = steps + other.steps;
+            let factorisations = kept.factorisations + other.factorisations;
             let rank = |folded: &Folded| {
                 (is_crushed(model, &folded.state.positions), folded.state.energy_in(model, scene).total())
             };
             let other_is_better = rank(&other) < rank(&kept);
-            Ok(Folded { steps, attempts: number, ..if other_is_better { other } else { kept } })
+            Ok(Folded { steps, factorisations, attempts: number, ..if other_is_better { other } else { kept } })
         }
         (Err(Failed::Diverged(_)), Ok(other)) => Ok(Folded { steps: steps + other.steps, attempts: number, ..other }),
         (kept, _) => kept,
@@ -83,6 +84,7 @@ pub fn or_crushed(
         distance: f64::INFINITY,
         attempts,
         saddles: 0,
+        factorisations: 0,
         reactions: forces.reactions().to_vec(),
     })
 }

@@ -120,8 +120,13 @@ impl Dynamics {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
         let mut stepper = self.stepper::<R>(model, start, (scene, targets), threads);
-        let limit =
-            Limit { steps: self.steps.unwrap_or(self.max_steps), all: self.steps.is_some(), crushed: None, lost: None };
+        let limit = Limit {
+            steps: self.steps.unwrap_or(self.max_steps),
+            all: self.steps.is_some(),
+            crushed: None,
+            lost: None,
+            crawls: None,
+        };
         let stop = stepper.run((model, start), limit, observe)?;
         Ok(stepper.into_folded(model, scene, scene.targets.clone(), stop))
     }

@@ -222,7 +222,7 @@ impl Engine for CpuEngine {
         let Self { model, start, threads, stepper, .. } = self;
         let origin = (&**model, &*start);
         either!(stepper, stepper => {
-            let limit = Limit { steps: stepper.steps + steps, all: !until_settled, crushed: None, lost: None };
+            let limit = Limit { steps: stepper.steps + steps, all: !until_settled, crushed: None, lost: None, crawls: None };
             in_pool(*threads, || stepper.run(origin, limit, &mut unwatched))?;
         });
         Ok(self.report())

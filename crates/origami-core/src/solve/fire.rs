@@ -5,6 +5,7 @@ use crate::model::Model;
 use crate::twins::fire_update::{Fire, RENEWAL, fire_update};
 
 use super::State;
+use super::clusters::Clusters;
 use super::row_sums::{OnTheWay, all_row_sums};
 use super::surroundings::Surroundings;
 
@@ -18,19 +19,28 @@ pub(super) struct Minimiser {
     sums: Vec<f64>,
     #[cfg_attr(feature = "serde", serde(skip))]
     way: OnTheWay,
+    /// Of their nodes there are no masses.
+    clusters: Clusters,
     fire: Fire,
     evaluations: u64,
 }
 
 impl Minimiser {
-    pub(super) fn new(model: &Model) -> Self {
+    /// `near` is [`Relax::near`](super::Relax::near).
+    pub(super) fn new(model: &Model, near: f64) -> Self {
         let (masses, sums) = (vec![[0.0; 2]; model.node_count()], vec![0.0; model.node_count()]);
-        Self { masses, sums, way: OnTheWay::default(), fire: Fire::default(), evaluations: 0 }
+        let clusters = Clusters::new(model, near);
+        Self { masses, sums, way: OnTheWay::default(), clusters, fire: Fire::default(), evaluations: 0 }
     }
 
     /// The present step, in units of each node's own.
     pub(super) fn step(&self) -> f64 {
         self.fire.step
+    }
+
+    /// Whether it is of a sheet of so many nodes.
+    pub(super) fn fits(&self, nodes: usize) -> bool {
+        self.masses.len() == nodes && self.clusters.fits(nodes)
     }
 
     /// Takes the masses anew at the next evaluation.
@@ -53,12 +63,18 @@ impl Minimiser {
             self.way.softening = kernel.softening();
             kernel.read_wrong_sides(&mut self.way.wrong);
             let shared = kernel.shared();
-            all_row_sums(shared, (model, &self.way, surroundings.forces()), &state.positions, &mut self.sums);
+            let sheet = (model, &self.way, surroundings.forces());
+            all_row_sums(shared, sheet, &state.positions, &mut self.sums);
             self.masses.clear();
             self.masses.extend(self.sums.iter().map(|mass| [*mass, 1.0 / mass]));
+            self.clusters.take(sheet, &state.positions, &mut self.masses);
         }
         self.evaluations += 1;
-        let decision = fire_update(&mut self.fire, kernel.reduce_forces(&self.masses));
-        kernel.fire_move(&self.masses, decision)
+        let sums = kernel.reduce_forces(&self.masses);
+        let sums = self.clusters.add_to(kernel, surroundings.held(), sums);
+        let decision = fire_update(&mut self.fire, sums);
+        let in_bounds = kernel.fire_move(&self.masses, decision);
+        self.clusters.shift(kernel, decision);
+        in_bounds
     }
 }

@@ -12,6 +12,7 @@
 pub mod attempt;
 mod bare_kernel;
 mod clock;
+mod clusters;
 mod crushed;
 mod driver;
 pub mod dynamics;

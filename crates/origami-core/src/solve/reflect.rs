@@ -68,6 +68,7 @@ impl Solver for Reflect {
             distance: spread,
             attempts: 1,
             saddles: 0,
+            factorisations: 0,
             reactions: forces.reactions().to_vec(),
         })
     }

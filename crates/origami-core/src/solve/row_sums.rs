@@ -57,6 +57,74 @@ fn shared_row_sums(shared: bool, (model, way): (&Model, &OnTheWay), positions: &
     add_springs(shared, (model, way), positions, sums);
 }
 
+/// Adds to `sums` the row sums of clusters of nodes that move as one, by the springs that resist that: of each node `cluster`
+/// has the number of its own.
+pub(super) fn cluster_sums(
+    (model, way, own): (&Model, &OnTheWay, &[Arc<dyn Force>]),
+    cluster: &[Option<u32>],
+    positions: &[DVec3],
+    sums: &mut [f64],
+) {
+    // What is within one cluster does not resist it.
+    let numbers = |nodes: &[NodeId]| {
+        let own = |n: &NodeId| cluster[n.index()];
+        nodes.iter().any(|n| own(n).is_some() && nodes.iter().any(|other| own(other) != own(n)))
+    };
+    let mut add = |nodes: &[NodeId], gradient: &[DVec3], stiffness: f64| {
+        let own = |i: usize| cluster[nodes[i].index()];
+        let with = |i: usize, j: usize| i == j || own(i).is_some() && own(i) == own(j);
+        let of = |i: usize| {
+            let is_first = !(0..i).any(|j| with(i, j));
+            let sum: DVec3 = (i..nodes.len()).filter(|j| with(i, *j)).map(|j| gradient[j]).sum();
+            if is_first { sum.length() } else { 0.0 }
+        };
+        let total: f64 = (0..nodes.len()).map(of).sum();
+        for i in 0..nodes.len() {
+            if let Some(number) = own(i) {
+                sums[number as usize] += stiffness * of(i) * total;
+            }
+        }
+    };
+    for beam in model.beams.iter().filter(|beam| numbers(&beam.nodes)) {
+        let stiffness = way.softening.map_or(beam.stiffness, |soft| soft.of_beam(model, beam));
+        // Any direction will do.
+        add(&beam.nodes, &[DVec3::X, -DVec3::X], stiffness);
+    }
+    let (wrong_side, corner_angles) = way.softening.map_or((0.0, 1.0), |soft| (soft.wrong_side, soft.corner_angles));
+    let wrong = way.wrong.iter().map(|wrong| (&model.creases[wrong.index()], wrong_side));
+    let creases = model.creases.iter().map(|crease| (crease, 1.0)).chain(wrong);
+    for (crease, share) in creases.filter(|(crease, _)| numbers(&crease.nodes)) {
+        let Some(hinge) = hinge(crease.nodes.map(|n| positions[n.index()])) else { continue };
+        add(&crease.nodes, &hinge.gradient, share * crease.stiffness);
+    }
+    for corners in model.corner_angles.iter().filter(|corners| numbers(&corners.nodes)) {
+        let triangle = Triangle::new(corners.nodes.map(|n| positions[n.index()]));
+        if triangle.collapsed() {
+            continue;
+        }
+        let sides = triangle.side_vectors();
+        for corner in 0..3 {
+            let (next, before) = ((corner + 1) % 3, (corner + 2) % 3);
+            let nodes = [corner, next, before].map(|i| corners.nodes[i]);
+            let gradient = [sides[corner] + sides[before], -sides[corner], -sides[before]];
+            add(&nodes, &gradient, corner_angles * model.material.k_face);
+        }
+    }
+    for (_, nodes, triangle, area) in acting(model, positions).filter(|(_, nodes, ..)| numbers(nodes)) {
+        add(&nodes, &triangle.area_gradient(), area.curvature(triangle.doubled_area()));
+    }
+    // Of forces of one's own nothing is known but the bounds of the nodes, which bound that of the cluster together.
+    let mut of_nodes = vec![0.0; if own.is_empty() { 0 } else { cluster.len() }];
+    own.iter().for_each(|own| {
+        own.add_row_sums(positions, &mut of_nodes);
+    });
+    for (sum, number) in of_nodes.iter().zip(cluster) {
+        if let Some(number) = number {
+            sums[*number as usize] += sum;
+        }
+    }
+}
+
 /// `K_i` of every node at rest as if its beams did not resist, and that of its beams where it has nothing else.
 #[must_use]
 pub fn soft_sums(model: &Model) -> Vec<f64> {

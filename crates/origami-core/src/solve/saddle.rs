@@ -54,8 +54,13 @@ pub(super) fn leave(
         let Some(down) = direction(model, scene, &folded.state, products) else { break };
         let Some(off) = lowest_along(model, scene, &folded.state, &down) else { break };
         let Ok(next) = again(&off, left, folded.steps) else { break };
-        folded =
-            Folded { steps: folded.steps + next.steps, attempts: folded.attempts, saddles: folded.saddles + 1, ..next };
+        folded = Folded {
+            steps: folded.steps + next.steps,
+            attempts: folded.attempts,
+            saddles: folded.saddles + 1,
+            factorisations: folded.factorisations + next.factorisations,
+            ..next
+        };
     }
     folded
 }

@@ -85,6 +85,7 @@ impl Saved {
             && self.ramp.asked().len() == creases
             && fits(self.accelerations.len(), nodes)
             && self.settling.fits(nodes)
+            && self.mover.fits(nodes)
             && self.held.iter().all(|(node, _)| node.index() < nodes)
             && self.loads.iter().all(|load| load.node.index() < nodes);
         if sound { Ok(()) } else { Err(Refusal::Saved { nodes, creases }) }

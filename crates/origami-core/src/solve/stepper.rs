@@ -33,6 +33,16 @@ pub(super) enum Mover {
     Dynamics { clock: Clock, integrator: Integrator, damped: bool },
 }
 
+impl Mover {
+    /// Whether it is of a sheet of so many nodes.
+    pub(super) fn fits(&self, nodes: usize) -> bool {
+        match self {
+            Self::Relax(minimiser) => minimiser.fits(nodes),
+            Self::Dynamics { .. } => true,
+        }
+    }
+}
+
 /// A sheet in motion.
 #[derive(Clone, Debug)]
 pub(super) struct Stepper<R: Compute> {
@@ -67,6 +77,8 @@ pub(super) struct Limit {
     pub(super) crushed: Option<u64>,
     /// For how many evaluations at the final targets it goes on with a crease lost; `None`: as long as it takes.
     pub(super) lost: Option<u64>,
+    /// For how many evaluations at the final targets it goes on with no triangle crushed; `None`: as long as it takes.
+    pub(super) crawls: Option<u64>,
 }
 
 impl<R: Compute> Stepper<R> {
@@ -109,7 +121,7 @@ impl<R: Compute> Stepper<R> {
         limit: Limit,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Stop, Diverged> {
-        let (mut crushed_for, mut lost_for) = (0_u64, 0);
+        let (mut crushed_for, mut lost_for, mut arrived_for) = (0_u64, 0, 0);
         loop {
             if self.steps >= limit.steps {
                 return Ok(if limit.all { Stop::StepsDone } else { Stop::StepLimit });
@@ -119,6 +131,7 @@ impl<R: Compute> Stepper<R> {
             }
             // Where the state has just been read.
             if self.ramp.done() && self.steps.is_multiple_of(COPY_EVERY) {
+                arrived_for += COPY_EVERY;
                 if let Some(patience) = limit.crushed {
                     // It swings about the line, and is thicker than that now and then.
                     let crushed = is_crushed(origin.0, &self.state.positions);
@@ -135,6 +148,9 @@ impl<R: Compute> Stepper<R> {
                         return Ok(Stop::StepLimit);
                     }
                 }
+            }
+            if limit.crawls.is_some_and(|patience| arrived_for >= patience && crushed_for == 0) {
+                return Ok(Stop::StepLimit);
             }
             if self.steps.is_multiple_of(REPORT) && observe(self.progress()).is_break() {
                 return Ok(Stop::Cancelled);
@@ -307,7 +323,19 @@ impl<R: Compute> Stepper<R> {
             arrive(model, &held, &mut state, (&accelerations, values), half_a_step);
         }
         let reactions = forces.reactions().to_vec();
-        Folded { state, targets, stop, steps, time_step, residual, distance, attempts: 1, saddles: 0, reactions }
+        Folded {
+            state,
+            targets,
+            stop,
+            steps,
+            time_step,
+            residual,
+            distance,
+            attempts: 1,
+            saddles: 0,
+            factorisations: 0,
+            reactions,
+        }
     }
 }
 

@@ -107,6 +107,7 @@ impl Solver for PaperDynamics {
             distance,
             attempts: 1,
             saddles: 0,
+            factorisations: 0,
             reactions,
         })
     }

@@ -167,6 +167,7 @@ pub(super) fn of_newton(case: &Case, from: From, deadline: Deadline) -> Trail {
                     distance: reached.distance,
                     attempts: 1,
                     saddles: reached.escapes,
+                    factorisations: reached.factorisations,
                     state: reached.state,
                     reactions: reached.reactions,
                 };

@@ -80,8 +80,11 @@ pub(crate) struct Case {
     pub(crate) plain: bool,
 }
 
-/// All sheets: generated ones, those of `files`, and the smaller of either with soft facets and with stiff creases.
-pub(crate) fn all(files: &[String]) -> Result<Vec<Case>, Box<dyn Error>> {
+/// A name, whether it is a generator's own or a file's, and the pattern.
+type Pattern = (String, bool, CreasePattern);
+
+/// What the generators make.
+pub(crate) fn generated() -> Result<Vec<Pattern>, Box<dyn Error>> {
     let mut patterns = Vec::new();
     for name in catalog::names() {
         patterns.push(((*name).to_owned(), true, catalog::generate(name, &[])?));
@@ -95,9 +98,18 @@ pub(crate) fn all(files: &[String]) -> Result<Vec<Case>, Box<dyn Error>> {
         let told: Vec<String> = numbers.iter().map(|(key, value)| format!("{key} {value}")).collect();
         patterns.push((format!("{name} {}", told.join(" ")), false, catalog::generate(name, &numbers)?));
     }
-    for file in files {
-        patterns.push((file.rsplit('/').next().unwrap_or(file).to_owned(), true, CreasePattern::read(file)?));
-    }
+    Ok(patterns)
+}
+
+/// What files hold.
+pub(crate) fn read(files: &[String]) -> Result<Vec<Pattern>, Box<dyn Error>> {
+    let name = |file: &String| file.rsplit('/').next().unwrap_or(file).to_owned();
+    files.iter().map(|file| Ok((name(file), true, CreasePattern::read(file)?))).collect()
+}
+
+/// All sheets: generated ones, those of `files`, and the smaller of either with soft facets and with stiff creases.
+pub(crate) fn all(files: &[String]) -> Result<Vec<Case>, Box<dyn Error>> {
+    let patterns = [generated()?, read(files)?].concat();
     let mut scenes = Vec::new();
     for (name, with_materials, pattern) in patterns {
         let default = Material::default();

@@ -130,6 +130,9 @@ pub struct Folded {
     pub attempts: u32,
     /// Saddles that it had settled on and left: where forces vanish and the energy falls to both sides all the same.
     pub saddles: u32,
+    /// Factorisations of the Hessian, all attempts together: of `Newton`, and where [`Relax`](super::Relax) handed over to its
+    /// method.
+    pub factorisations: u32,
     /// What the supports do to the held nodes, in the order of the nodes.
     pub reactions: Vec<Reaction>,
 }

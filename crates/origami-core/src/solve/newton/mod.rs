@@ -19,6 +19,7 @@ use super::{Diverged, Failed, Folded, Progress, Relax, Session, Solver, State, S
 use crate::ids::NodeId;
 use crate::model::{Inventory, Model};
 use crate::scene::{Held, Needs, Reaction, Scene, Targets};
+use crate::twins::settle_decide::STILL;
 
 /// Largest share of the way that one increment may be, and the least.
 const LONGEST_INCREMENT: f64 = 0.25;
@@ -223,7 +224,7 @@ impl Newton {
     ) -> Result<Folded, Failed> {
         let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
         descent.begin(self.max_steps);
-        let (reached, steps, attempts, left) = match &self.relax {
+        let (reached, steps, attempts, left, before) = match &self.relax {
             Some(relax) => {
                 let relax = Relax { max_steps: relax.max_steps.min(self.max_steps), ..relax.clone() };
                 let near = relax.fold(model, start, scene, observe)?;
@@ -236,9 +237,12 @@ impl Newton {
                 }
                 descent.begin(self.max_steps - steps);
                 let mut observe = |step, distance| observe(Progress { step: steps + step, ramp: 1.0, distance });
-                (self.settle(descent, near.state, &mut observe), steps, near.attempts, near.saddles)
+                {
+                    let reached = self.settle(descent, near.state, &mut observe);
+                    (reached, steps, near.attempts, near.saddles, near.factorisations)
+                }
             }
-            None => (self.rise(descent, model, start, targets, observe), 0, 1, 0),
+            None => (self.rise(descent, model, start, targets, observe), 0, 1, 0, 0),
         };
         let stop = match reached.converged {
             true => Stop::Converged,
@@ -255,6 +259,7 @@ impl Newton {
             distance: reached.distance,
             attempts,
             saddles: left + reached.escapes,
+            factorisations: before + reached.factorisations,
             reactions: reached.reactions,
         })
     }
@@ -308,6 +313,34 @@ impl Session for Kept<'_> {
 pub struct OutOfMemory {
     /// Three for each node that moves.
     pub rows: usize,
+}
+
+/// Where a relaxation that crawls would end up.
+pub(super) struct Approach {
+    pub(super) state: State,
+    /// Whether it was broken off by who watched it.
+    pub(super) cancelled: bool,
+    pub(super) factorisations: u32,
+    pub(super) evaluations: u64,
+}
+
+/// Downhill from `state` until a step is next to nothing for the tolerance, in radii, or so many factorisations or evaluations
+/// have been made; `None` where a force of the scene's own or the memory does not allow it.
+pub(super) fn approach(
+    (model, scene): (&Model, &Scene),
+    state: &State,
+    (tolerance, most_factorisations, most_evaluations): (f64, u32, u64),
+    observe: &mut dyn FnMut(u64) -> ControlFlow<()>,
+) -> Option<Approach> {
+    let mut descent = descent(model, state, scene).ok()?;
+    descent.begin(most_evaluations);
+    let (mut state, mut cancelled) = (state.clone(), false);
+    descent.descend(&mut state, 0.0, most_factorisations, &mut |evaluations, moved| {
+        cancelled = observe(evaluations).is_break();
+        if cancelled || moved < STILL * tolerance { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    let Descent { factorisations, evaluations, .. } = descent;
+    Some(Approach { state, cancelled, factorisations, evaluations })
 }
 
 fn descent<'m>(model: &'m Model, start: &State, scene: &Scene) -> Result<Descent<'m>, Failed> {

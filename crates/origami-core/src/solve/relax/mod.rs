@@ -1,23 +1,25 @@
 //! Relaxation: the folded state, without the motion that leads to it.
 
+mod run;
+
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
 use glam::DVec3;
 
-use super::attempt::{Attempt, better, or_crushed, steps_of};
+use super::attempt::{Attempt, steps_of};
 use super::crushed::is_crushed;
 use super::fire::Minimiser;
 use super::perturb::perturb;
 use super::ramp::Ramp;
-use super::saddle::leave;
 use super::state::is_flat;
-use super::stepper::{Limit, Mover, Stepper};
+use super::stepper::{Mover, Stepper};
 use super::threads::{count, share};
 use super::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, Failed, Folded, Precision, Progress, Session, Solver, State, Stop};
 use crate::kernel::Compute;
 use crate::model::{Inventory, Model, Softening};
 use crate::scene::{Held, Needs, Refusal, Scene};
+use run::Run;
 
 /// The default ramp of a soft sheet of 300 nodes: with half of it more creases fold to the wrong side.
 const SOFT_RAMP: f64 = 800.0;
@@ -28,10 +30,6 @@ const STIFF_RAMP: f64 = 400.0;
 const LONG_RAMP: f64 = 3000.0;
 /// A longer ramp is longer than the one before by this at least.
 const LONGER_RAMP: u32 = 3;
-/// Ramps for which an attempt goes on at the final targets with a crease lost: those that come back do so within 1.1.
-const LOST_RAMPS: u64 = 2;
-/// Ramps for which an attempt goes on at the final targets with a triangle crushed: one may open again.
-const CRUSHED_RAMPS: u64 = 10;
 /// The shortest ramp that is taken by itself.
 const SHORTEST_RAMP: u32 = 100;
 
@@ -71,6 +69,14 @@ pub struct Relax {
     /// A jump and a way that begins elsewhere are not softened, nor is a sheet under loads or forces of one's own. `None`: as
     /// stiff as its material all the way. Default: [`Softening::default`].
     pub softening: Option<Softening>,
+    /// Sides shorter than this share of their mean join their ends to a cluster, which has a mass of its own for what it does
+    /// as one; the sheet need not drag along what a short side makes heavy. Larger: more nodes are in clusters; 0: none.
+    /// GPUs have none. Default 0.4.
+    pub near: f64,
+    /// After how many evaluations at the final targets, in default ramps, Newton's method takes over (feature `newton`; not
+    /// while a triangle is crushed): a sheet that takes longer crawls. Its claim is checked as any other. Smaller: earlier;
+    /// `None`: never. GPUs do not hand over. Default 4.
+    pub hand_over: Option<u32>,
     /// The numbers in which the processor computes: [`Precision::Mixed`] for speed, where a tolerance of 1e-6 or more will
     /// do. GPUs have numbers of their own. Default f64.
     pub precision: Precision,
@@ -90,6 +96,8 @@ impl Default for Relax {
             perturbation: 1e-2,
             saddle_search: 0.1,
             softening: Some(Softening::default()),
+            near: 0.4,
+            hand_over: Some(4),
             precision: Precision::F64,
             threads: None,
         }
@@ -316,110 +324,9 @@ impl Relax {
     ) -> Stepper<R> {
         let ramp = Ramp::new(&start.targets, targets, ramp);
         let softening = softening.filter(|_| !ramp.done());
-        let mover = Mover::Relax(Minimiser::new(model));
+        let mover = Mover::Relax(Minimiser::new(model, self.near));
         let mut stepper = Stepper::new((model, start), scene, (positions, &[]), (mover, ramp), self.tolerance, threads);
         stepper.soften(model, softening);
         stepper
-    }
-}
-
-/// One fold.
-struct Run<'a> {
-    relax: &'a Relax,
-    model: &'a Model,
-    start: &'a State,
-    scene: &'a Scene,
-}
-
-impl Run<'_> {
-    /// Found anew for each attempt: of a large sheet they need much memory.
-    fn targets(&self) -> Result<Vec<f64>, Failed> {
-        self.scene.targets.of(self.model).map_err(|refusal| Failed::refused(refusal, self.start))
-    }
-
-    /// Settles, and leaves the saddles that it settles on.
-    fn to_a_minimum<R: Compute>(
-        &self,
-        threads: usize,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<Folded, Failed> {
-        let Self { relax, model, scene, .. } = *self;
-        let folded = self.attempts::<R>(threads, observe)?;
-        let share = if relax.steps.is_some() { 0.0 } else { relax.saddle_search };
-        let again = &mut |off: &State, limit, so_far| {
-            let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
-            let attempt = Attempt { number: 1, ramp: 0, limit, perturbed: false, softening: None };
-            Run { start: off, ..*self }.attempt::<R>(attempt, threads, &mut observe)
-        };
-        Ok(leave((model, scene), folded, (share, relax.max_steps), again))
-    }
-
-    fn attempts<R: Compute>(
-        &self,
-        threads: usize,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<Folded, Failed> {
-        let Self { relax, model, start, scene } = *self;
-        let mut attempt = relax.first_attempt((model, scene), start, &self.targets()?);
-        let mut kept = self.attempt::<R>(attempt, threads, observe);
-        while let Some(next) = relax.next_attempt((model, scene), start, attempt, &kept) {
-            attempt = next;
-            let so_far = steps_of(&kept);
-            let mut observe = |progress: Progress| observe(Progress { step: so_far + progress.step, ..progress });
-            let other = self.attempt::<R>(attempt, threads, &mut observe);
-            let cancelled = other.as_ref().is_ok_and(|other| other.stop == Stop::Cancelled);
-            kept = better((model, scene), kept, other, attempt.number);
-            if cancelled {
-                return kept.map(|kept| Folded { stop: Stop::Cancelled, ..kept });
-            }
-        }
-        match kept {
-            Ok(kept) if kept.stop == Stop::StepLimit && relax.retries() => Ok(self.settle::<R>(kept, threads, observe)),
-            kept if relax.retries() => or_crushed((model, scene), kept, attempt.number),
-            kept => kept,
-        }
-    }
-
-    /// Goes on with a state that an attempt gave up, since none found a better one, for the evaluations that are left.
-    fn settle<R: Compute>(
-        &self,
-        kept: Folded,
-        threads: usize,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Folded {
-        let Self { relax, model, scene, .. } = *self;
-        let limit = relax.max_steps.saturating_sub(kept.steps);
-        if limit == 0 {
-            return kept;
-        }
-        let (state, steps) = (&kept.state, kept.steps);
-        let way = (scene, state.targets.clone(), 0, None);
-        let mut stepper = relax.stepper::<R>((model, state), state.positions.clone(), way, threads);
-        let crushed = Some(CRUSHED_RAMPS * u64::from(default_ramp(model)));
-        let mut observe = |progress: Progress| observe(Progress { step: steps + progress.step, ..progress });
-        let limit = Limit { steps: limit, all: false, crushed, lost: None };
-        // A state at hand is finite: that it diverges from there does not take it away.
-        let Ok(stop) = stepper.run((model, state), limit, &mut observe) else { return kept };
-        let settled = stepper.into_folded(model, scene, scene.targets.clone(), stop);
-        Folded { steps: steps + settled.steps, attempts: kept.attempts, ..settled }
-    }
-
-    fn attempt<R: Compute>(
-        &self,
-        attempt: Attempt,
-        threads: usize,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<Folded, Failed> {
-        let Self { relax, model, start, scene } = *self;
-        let targets = self.targets()?;
-        let positions = relax.of_attempt(attempt).first_positions(model, start, scene, &targets);
-        let mut stepper =
-            relax.stepper::<R>((model, start), positions, (scene, targets, attempt.ramp, attempt.softening), threads);
-        let ramps = |count: u64| count * u64::from(default_ramp(model));
-        let crushed = relax.steps.is_none().then(|| ramps(CRUSHED_RAMPS));
-        let lost = relax.retries().then(|| ramps(LOST_RAMPS));
-        let limit = Limit { steps: attempt.limit, all: relax.steps.is_some(), crushed, lost };
-        let stop = stepper.run((model, start), limit, observe)?;
-        Ok(stepper.into_folded(model, scene, scene.targets.clone(), stop))
     }
 }

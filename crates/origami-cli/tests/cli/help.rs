@@ -37,14 +37,27 @@ fn help_is_as_reviewed() {
     golden("analyse-modes", &["analyse", "modes", "--help"]);
     golden("info", &["info", "--help"]);
     golden("pattern", &["pattern", "--help"]);
+    golden("view", &["view", "--help"]);
     golden("completions", &["completions", "--help"]);
     golden("man", &["man", "--help"]);
 }
 
 #[test]
 fn every_command_shows_an_example() {
-    let commands =
-        ["fold", "sweep", "merge", "render", "study", "analyse", "info", "pattern", "adapters", "completions", "man"];
+    let commands = [
+        "fold",
+        "sweep",
+        "merge",
+        "render",
+        "study",
+        "analyse",
+        "info",
+        "pattern",
+        "view",
+        "adapters",
+        "completions",
+        "man",
+    ];
     for command in commands {
         let output = Command::cargo_bin("origami").unwrap().args([command, "--help"]).output().unwrap();
         let text = String::from_utf8(output.stdout).unwrap();

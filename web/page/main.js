@@ -6,7 +6,7 @@ import { Flat } from "./flat.js";
 import { fill } from "./gallery.js";
 import { hand } from "./hand.js";
 import { keys } from "./keys.js";
-import { isCrease, opened } from "./model.js";
+import { isCrease, number, opened } from "./model.js";
 import { $, chosen, material, numbers, warnings } from "./panel.js";
 import { Stage } from "./stage.js";
 
@@ -31,7 +31,10 @@ class App {
         this.buttons();
         hand(this);
         keys(this);
-        [$("percent").min, $("percent").max] = [...this.range].sort((a, b) => a - b);
+        const [least, most] = [...this.range].sort((a, b) => a - b);
+        for (const input of [$("percent"), $("percent-number")]) Object.assign(input, { min: least, max: most });
+        ["least", "middle", "most"].forEach((id, i) => ($(id).textContent = `${number(least + (i * (most - least)) / 2)}${i === 2 ? " %" : ""}`));
+        if (this.live) $("middle").textContent = "flat";
         if (this.live) {
             this.ask({ do: "catalog" });
             this.begin();

@@ -17,7 +17,8 @@ flat out float shift;
 out float value;
 void main() {
     vec4 a = node(corners.x), b = node(corners.y), c = node(corners.z);
-    vec4 own = gl_VertexID == 0 ? a : gl_VertexID == 1 ? b : c;
+    int corner = gl_VertexID % 3;
+    vec4 own = corner == 0 ? a : corner == 1 ? b : c;
     normal = cross(b.xyz - a.xyz, c.xyz - a.xyz);
     value = own.w / largest;
     gl_Position = matrix * vec4(own.xyz, 1);
@@ -55,8 +56,10 @@ void main() {
     vec4 a = matrix * vec4(node(ends.x).xyz, 1), b = matrix * vec4(node(ends.y).xyz, 1);
     vec2 way = (b.xy / b.w - a.xy / a.w) * screen;
     way = dot(way, way) > 0.0 ? normalize(way) : vec2(0);
-    vec4 own = (gl_VertexID & 1) == 0 ? a : b;
-    float side = gl_VertexID < 2 ? 1.0 : -1.0;
+    // Two triangles make a line as wide as it should be.
+    int corner = int[](0, 1, 2, 2, 1, 3)[gl_VertexID % 6];
+    vec4 own = (corner & 1) == 0 ? a : b;
+    float side = corner < 2 ? 1.0 : -1.0;
     own.xy += vec2(-way.y, way.x) * side * widths[kind] / screen * own.w;
     own.z -= nearer * own.w;
     paint = colours[kind];

@@ -8,6 +8,8 @@ import { programs } from "./paint.js";
 const KINDS = ["line-b", "line-m", "line-v", "line-f", "line-u"];
 const [HOVER, SELECTED, WARNED] = [5, 6, 7];
 const WIDTH = 1024;
+/** Corners that are drawn of each. */
+const CORNERS = { faces: 3, lines: 6, dots: 1 };
 
 export class Stage {
     constructor(canvas) {
@@ -21,6 +23,7 @@ export class Stage {
         this.begin();
         canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
         canvas.addEventListener("webglcontextrestored", () => {
+            this.faces = this.lines = undefined;
             this.begin();
             if (this.model) this.open(this.model);
         });
@@ -51,6 +54,8 @@ export class Stage {
         this.texels = new Float32Array(4 * WIDTH * this.rows);
         gl.bindTexture(gl.TEXTURE_2D, this.texture);
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, WIDTH, this.rows, 0, gl.RGBA, gl.FLOAT, null);
+        this.drop(this.faces);
+        this.drop(this.lines);
         this.faces = this.arrays("faces", [["corners", model.corners, 3]]);
         const kinds = Uint32Array.from(model.letters, (letter) => KINDS.indexOf(lineOf(letter)));
         this.lines = this.arrays("lines", [["ends", model.ends, 2], ["kind", kinds, 1]]);
@@ -61,20 +66,40 @@ export class Stage {
         this.moved(model.points);
     }
 
-    arrays(name, attributes) {
+    /** Attributes of each triangle, line or dot, written once for each of its corners: some drivers take long for many instances. */
+    arrays(name, attributes, usage = this.gl.STATIC_DRAW) {
         const gl = this.gl;
         const array = gl.createVertexArray();
         gl.bindVertexArray(array);
-        for (const [attribute, numbers, size] of attributes) {
-            gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-            gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
+        const buffers = attributes.map(([attribute, numbers, size]) => {
+            const corners = CORNERS[name];
+            const copies = new Uint32Array(numbers.length * corners);
+            for (let i = 0; i < numbers.length; i += size)
+                for (let corner = 0; corner < corners; corner++)
+                    for (let k = 0; k < size; k++) copies[i * corners + corner * size + k] = numbers[i + k];
+            const buffer = gl.createBuffer();
+            gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+            gl.bufferData(gl.ARRAY_BUFFER, copies, usage);
             const at = this.programs[name].attribute(attribute);
             gl.enableVertexAttribArray(at);
             gl.vertexAttribIPointer(at, size, gl.UNSIGNED_INT, 0, 0);
-            if (name !== "dots") gl.vertexAttribDivisor(at, 1);
-        }
+            return buffer;
+        });
         gl.bindVertexArray(null);
-        return { array, count: attributes[0][1].length / attributes[0][2] };
+        return { array, buffers, count: (CORNERS[name] * attributes[0][1].length) / attributes[0][2] };
+    }
+
+    /** Draws what was made by `arrays`. */
+    put({ array, count }, kind = this.gl.TRIANGLES) {
+        this.gl.bindVertexArray(array);
+        this.gl.drawArrays(kind, 0, count);
+        this.gl.bindVertexArray(null);
+    }
+
+    drop(arrays) {
+        if (!arrays) return;
+        this.gl.deleteVertexArray(arrays.array);
+        arrays.buffers.forEach((buffer) => this.gl.deleteBuffer(buffer));
     }
 
     /** Where the nodes are now: x, y, z and a value of each. */
@@ -129,10 +154,9 @@ export class Stage {
             gl.uniform3fv(places.ramp, ramp());
             gl.uniform1f(places.largest, this.map.largest || 1);
             gl.uniform1i(places.mapped, this.map.wish !== "none" ? 1 : 0);
-            gl.bindVertexArray(this.faces.array);
             gl.enable(gl.POLYGON_OFFSET_FILL);
             gl.polygonOffset(1, 1);
-            gl.drawArraysInstanced(gl.TRIANGLES, 0, 3, this.faces.count);
+            this.put(this.faces);
             gl.disable(gl.POLYGON_OFFSET_FILL);
         }
         const places = use("lines");
@@ -143,8 +167,7 @@ export class Stage {
         const thin = this.model.edges > 4000 ? 0.6 : 1;
         gl.uniform1fv(places.widths, [1.3, 1.2, 1.2, 0.7, 0.9, 3.2, 2.6, 2.6].map((w, i) => w * this.ratio * (i < 5 ? thin : 1)));
         gl.uniform1f(places.nearer, 1e-4);
-        gl.bindVertexArray(this.lines.array);
-        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.lines.count);
+        this.put(this.lines);
         this.drawMarks(use);
         return true;
     }
@@ -159,8 +182,7 @@ export class Stage {
             const places = this.programs.lines.places;
             gl.uniform1f(places.nearer, 4e-4);
             const ends = Uint32Array.from(lines.flatMap(([e]) => [model.ends[2 * e], model.ends[2 * e + 1]]));
-            this.once("lines", [["ends", ends, 2], ["kind", Uint32Array.from(lines, ([, kind]) => kind), 1]], (count) =>
-                gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count));
+            this.once("lines", [["ends", ends, 2], ["kind", Uint32Array.from(lines, ([, kind]) => kind), 1]]);
         }
         const dots = [...marks.nodes.map((n) => [n, 2]), ...this.pins.map((n) => [n, 1])];
         if (this.hover.node !== undefined) dots.push([this.hover.node, 0]);
@@ -169,32 +191,15 @@ export class Stage {
             const colours = [theme.accent, theme.pin, theme.warn].flatMap((colour) => [...colour, 1]);
             gl.uniform4fv(places.colours, [...colours, ...new Array(20).fill(0)]);
             gl.uniform1fv(places.widths, [13, 12, 17, 0, 0, 0, 0, 0].map((w) => w * this.ratio));
-            this.once("dots", [["dot", Uint32Array.from(dots, ([n]) => n), 1], ["kind", Uint32Array.from(dots, ([, kind]) => kind), 1]], (count) =>
-                gl.drawArrays(gl.POINTS, 0, count));
+            this.once("dots", [["dot", Uint32Array.from(dots, ([n]) => n), 1], ["kind", Uint32Array.from(dots, ([, kind]) => kind), 1]], gl.POINTS);
         }
     }
 
     /** Draws arrays that are made for this picture alone. */
-    once(name, attributes, draw) {
-        const gl = this.gl;
-        const buffers = [];
-        const create = gl.createBuffer.bind(gl);
-        const array = gl.createVertexArray();
-        gl.bindVertexArray(array);
-        for (const [attribute, numbers, size] of attributes) {
-            const buffer = create();
-            buffers.push(buffer);
-            gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-            gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STREAM_DRAW);
-            const at = this.programs[name].attribute(attribute);
-            gl.enableVertexAttribArray(at);
-            gl.vertexAttribIPointer(at, size, gl.UNSIGNED_INT, 0, 0);
-            if (name === "lines") gl.vertexAttribDivisor(at, 1);
-        }
-        draw(attributes[0][1].length / attributes[0][2]);
-        gl.bindVertexArray(null);
-        gl.deleteVertexArray(array);
-        buffers.forEach((buffer) => gl.deleteBuffer(buffer));
+    once(name, attributes, kind) {
+        const arrays = this.arrays(name, attributes, this.gl.STREAM_DRAW);
+        this.put(arrays, kind);
+        this.drop(arrays);
     }
 
     /** The node within so many pixels of a place on the screen that is nearest to the eye. */

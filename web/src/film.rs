@@ -7,8 +7,18 @@ use flate2::write::DeflateEncoder;
 
 /// The modules in an order in which each comes after those that it uses.
 const MODULES: [&str; 12] = [
-    "packet.js", "engine.js", "model.js", "colours.js", "camera.js", "paint.js", "stage.js", "flat.js", "hand.js", "keys.js",
-    "panel.js", "gallery.js",
+    "packet.js",
+    "engine.js",
+    "model.js",
+    "colours.js",
+    "camera.js",
+    "paint.js",
+    "stage.js",
+    "flat.js",
+    "hand.js",
+    "keys.js",
+    "panel.js",
+    "gallery.js",
 ];
 
 /// Nothing may be loaded, whatever the film says.
@@ -27,7 +37,13 @@ pub fn film(packet: &[u8], title: &str) -> io::Result<String> {
     let icon = format!("data:image/svg+xml;base64,{}", base64(text("icon.svg").as_bytes()));
     let page = text("index.html")
         .replace("<html lang=\"en\">", "<html lang=\"en\" data-engine=\"film\">")
-        .replace("<title>origami</title>", &format!("<title>{}</title>\n<meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">", escaped(title)))
+        .replace(
+            "<title>origami</title>",
+            &format!(
+                "<title>{}</title>\n<meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">",
+                escaped(title)
+            ),
+        )
         .replace("icon.svg", &icon)
         .replace("<link rel=\"stylesheet\" href=\"style.css\">", &format!("<style>\n{}</style>", text("style.css")))
         .replace("<script type=\"module\" src=\"main.js\"></script>", "");
@@ -72,7 +88,8 @@ mod tests {
 
     #[test]
     fn base64_is_that_of_the_rfc() {
-        let pairs = [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("foobar", "Zm9vYmFy")];
+        let pairs =
+            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("foobar", "Zm9vYmFy")];
         for (bytes, text) in pairs {
             assert_eq!(base64(bytes.as_bytes()), text);
         }
@@ -84,7 +101,12 @@ mod tests {
         let page = film(&[1, 2, 3], "a <b> & c").expect("memory");
         assert!(page.contains("<title>a &lt;b&gt; &amp; c</title>"));
         for outside in ["import ", "href=\"style", "src=\"main", "\"icon.svg\""] {
-            assert!(!page.lines().any(|line| line.starts_with(outside) || (outside.contains('"') && line.contains(outside))), "{outside}");
+            assert!(
+                !page
+                    .lines()
+                    .any(|line| line.starts_with(outside) || (outside.contains('"') && line.contains(outside))),
+                "{outside}"
+            );
         }
         let mut names: Vec<&str> = page
             .lines()

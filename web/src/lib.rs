@@ -69,7 +69,7 @@ mod tests {
                         continue;
                     }
                     found += 1;
-                    assert!(super::file(name).is_some() || name == "./origami_web.js", "{} names {name}", file.name);
+                    assert!(super::file(name).is_some() || name == "origami_web.js", "{} names {name}", file.name);
                 }
             }
         }

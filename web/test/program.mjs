@@ -7,9 +7,15 @@ import { chromium } from "playwright-core";
 export const PROGRAM = process.env.ORIGAMI;
 export const BROWSER = process.env.CHROMIUM ?? "/usr/bin/chromium";
 
+const servers = new Set();
+
+/** Ends all programs that are still there. */
+export const stopAll = () => servers.forEach((server) => server.kill());
+
 /** Starts `origami view`; `stop` ends it. */
 export async function view(...args) {
     const server = spawn(PROGRAM, ["view", "--no-open", ...args], { stdio: ["ignore", "pipe", "inherit"] });
+    servers.add(server);
     const address = await new Promise((resolve, reject) => {
         createInterface({ input: server.stdout }).once("line", resolve);
         server.once("exit", (code) => reject(new Error(`origami view ended with ${code}`)));
@@ -20,7 +26,7 @@ export async function view(...args) {
 /** Runs the program to its end. */
 export function run(...args) {
     return new Promise((resolve) => {
-        const child = spawn(PROGRAM, args);
+        const child = spawn(PROGRAM, args, { stdio: ["ignore", "pipe", "pipe"] });
         const said = { out: "", err: "" };
         child.stdout.on("data", (data) => (said.out += data));
         child.stderr.on("data", (data) => (said.err += data));

@@ -85,3 +85,58 @@ fn expected(now: &[u16], [last, before_last]: &[Vec<u16>; 2], i: usize) -> u16 {
 fn zigzag(difference: u16) -> u16 {
     (difference << 1) ^ if difference & 0x8000 == 0 { 0 } else { 0xffff }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use origami_core::generate::BirdBase;
+    use origami_core::solve::{Relax, State, fold_path, unwatched};
+    use origami_core::{Material, glam::DVec3};
+
+    /// As the page reads it.
+    fn read(packet: &Packet, model: &Model, edges: usize, frames: usize) -> Vec<Vec<DVec3>> {
+        let head: serde_json::Value = serde_json::from_str(&packet.head).expect("JSON");
+        let number = |value: &serde_json::Value| value.as_f64().expect("a number");
+        let low: Vec<f64> = head["low"].as_array().expect("three").iter().map(number).collect();
+        let count = 3 * model.node_count();
+        let mut at = 4 * (count + 3 * model.mesh.triangles.len() + 3 * edges);
+        let mut before: [Vec<u16>; 2] = [Vec::new(), Vec::new()];
+        let mut states = Vec::new();
+        for _ in 0..frames {
+            let mut now: Vec<u16> = Vec::new();
+            for i in 0..count {
+                let zigzag = u16::from_le_bytes([packet.body[at + i], packet.body[at + count + i]]);
+                let difference = (zigzag >> 1) ^ (zigzag & 1).wrapping_neg();
+                now.push(expected(&now, &before, i).wrapping_add(difference));
+            }
+            at += 2 * count + model.node_count();
+            let places = now.chunks_exact(3).map(|whole| {
+                let place = |k: usize| low[k] + f64::from(whole[k]) * number(&head["unit"]);
+                DVec3::new(place(0), place(1), place(2))
+            });
+            states.push(places.collect());
+            let [last, _] = before;
+            before = [now, last];
+        }
+        assert_eq!(at, packet.body.len());
+        states
+    }
+
+    #[test]
+    fn what_is_read_is_what_was_written() {
+        let pattern = BirdBase::default().pattern().expect("the default");
+        let model = Model::new(&pattern, &Material::default()).expect("a sheet");
+        let percents = [0.0, 30.0, 60.0, 90.0, 100.0];
+        let states =
+            fold_path(&model, &Relax::default(), &percents, &mut |_, progress| unwatched(progress)).expect("folds");
+        let packet = film("bird", None, &pattern, &model, &states);
+        let read = read(&packet, &model, pattern.edges.len(), states.len());
+        let apart = |state: &State, read: &[DVec3]| {
+            state.positions.iter().zip(read).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
+        };
+        let most = states.iter().zip(&read).map(|(folded, read)| apart(&folded.state, read)).fold(0.0, f64::max);
+        assert!(most < 3e-5, "{most}");
+        // The test can fail: other states are elsewhere.
+        assert!(apart(&states[1].state, &read[2]) > 0.01);
+    }
+}

@@ -6,7 +6,7 @@ use origami_core::generate::catalog::{self, generate};
 use origami_core::glam::DVec3;
 use origami_core::ids::NodeId;
 use origami_core::scene::Scene;
-use origami_core::solve::{Failed, State};
+use origami_core::solve::{Failed, Report, State};
 use origami_core::{CreasePattern, Error};
 
 use crate::computer::{Computer, Mover};
@@ -44,6 +44,8 @@ struct Open {
     /// Whether something has changed since the last picture.
     changed: bool,
     pace: Pace,
+    /// Whether something was asked that no step has seen yet: the solver's word is of before.
+    asked: bool,
     failed: Option<String>,
 }
 
@@ -139,7 +141,7 @@ impl Session {
     pub fn take_frame(&mut self) -> Option<Packet> {
         let map = self.wanted?;
         let open = self.open.as_mut().filter(|open| open.changed)?;
-        let (report, state) = (open.mover.report(), open.mover.state());
+        let (report, state) = (open.report(), open.mover.state());
         let Ok(state) = state else { return None };
         self.wanted = None;
         self.frames += 1;
@@ -218,7 +220,7 @@ impl Session {
                 return Ok(vec![wishes_of(open, undo)]);
             }
             Request::Export { format } => {
-                let (report, state) = (open.mover.report(), open.mover.state()?);
+                let (report, state) = (open.report(), open.mover.state()?);
                 let bytes = export::file(format, &open.sheet, &state, open.wishes.percent, report)?;
                 let name = format!("{}-folded.{}", stem(&open.sheet.named.name), format.extension());
                 return Ok(vec![Packet::new(&Reply::File { name, media: format.media() }, bytes)]);
@@ -273,6 +275,7 @@ impl Session {
             owed: 0,
             changed: true,
             pace: Pace::of(100.0),
+            asked: true,
             failed: None,
         });
         Ok(vec![Packet::new(&Reply::Opened(Box::new(head)), body)])
@@ -281,7 +284,7 @@ impl Session {
 
 impl Open {
     fn has_work(&self) -> bool {
-        let report = self.mover.report();
+        let report = self.report();
         let waits = report.ramp < 1.0 && report.ramp - self.pace.shown >= self.pace.share;
         self.owed > 0 || (self.running && !report.settled && !waits)
     }
@@ -292,10 +295,17 @@ impl Open {
             let many = if self.owed > 0 { self.owed.min(steps) } else { steps };
             let few = if self.mover.report().ramp < 1.0 { many.min(FEW_STEPS) } else { many };
             self.mover.advance(few, self.owed == 0)?;
+            self.asked = false;
             self.owed = self.owed.saturating_sub(few);
             steps -= few;
         }
         Ok(())
+    }
+
+    /// How far it has come.
+    fn report(&self) -> Report {
+        let report = self.mover.report();
+        Report { settled: report.settled && !self.asked, ..report }
     }
 
     fn mark(&mut self) -> Result<Mark, Refused> {
@@ -348,7 +358,7 @@ impl Open {
     /// Something was changed by a hand: the sheet goes a way of so many per cent.
     fn moved(&mut self, percent: f64) {
         self.pace = Pace::of(percent);
-        self.changed = true;
+        (self.changed, self.asked) = (true, true);
         if self.failed.take().is_some() {
             self.running = true;
         }

@@ -76,7 +76,8 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<Option<Warning
         // Written by whoever shows how far it has come.
         Format::Film => Ok(()),
         Format::Html => whole(&target.destination, |writer| {
-            let states = if sheet.animated { sheet.states } else { sheet.states.last().map_or(&[][..], std::slice::from_ref) };
+            let states =
+                if sheet.animated { sheet.states } else { sheet.states.last().map_or(&[][..], std::slice::from_ref) };
             page::write(sheet.name, sheet.pattern, sheet.model, states, writer)
         }),
         Format::Fold => write_document(&target.destination, &sheet.fold()?),

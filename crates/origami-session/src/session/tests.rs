@@ -84,6 +84,16 @@ fn pictures_come_when_they_are_asked_for_and_never_else() {
 }
 
 #[test]
+fn what_was_just_asked_has_not_settled() {
+    let mut session = session("square-twist");
+    settle(&mut session);
+    session.answer(Request::Fold { percent: 100.0 }, &[]);
+    session.answer(Request::Frame { map: Map::None }, &[]);
+    let frame = session.take_frame().expect("something was asked");
+    assert_eq!(head(&frame)["settled"], false);
+}
+
+#[test]
 fn a_crease_of_its_own_goes_its_own_way() {
     let mut session = session("degree-4");
     session.answer(Request::Fold { percent: 0.0 }, &[]);

@@ -57,12 +57,13 @@
 //! | `render` | the module `picture`: pictures and films on the CPU; with `gpu` also `gpu::render` |
 //! | `newton` | `Newton`: equilibria to a residual of 1e-10, the reference that errors are measured against |
 //! | `analysis` | the module `analysis`: structures with supports and loads, paths through snap-through |
+//! | `session` | the module `session`: what a page asks of a sheet and is told, and the session that answers |
 //! | `study` | the module `study`: error against run time, and what holds on stiff and extreme scenes |
 //! | `serde` | `Serialize` and `Deserialize` for settings, scenes, states and saved simulations |
 //! | `files`, `parallel` | on by default: paths, and threads |
 //!
-//! This crate is a facade: everything is re-exported from `origami_core`, `origami_formats`, `origami_gpu`, `origami_picture` and
-//! `origami_study`.
+//! This crate is a facade: everything is re-exported from `origami_core`, `origami_formats`, `origami_gpu`, `origami_picture`,
+//! `origami_session` and `origami_study`.
 pub use origami_core::*;
 /// Other formats than FOLD.
 #[cfg(feature = "formats")]
@@ -73,6 +74,9 @@ pub use origami_gpu as gpu;
 /// Pictures of folded sheets.
 #[cfg(feature = "render")]
 pub use origami_picture as picture;
+/// A sheet that a page steers.
+#[cfg(feature = "session")]
+pub use origami_session as session;
 /// Accuracy and stability of the solvers.
 #[cfg(feature = "study")]
 pub use origami_study as study;

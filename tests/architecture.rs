@@ -14,6 +14,7 @@ use uses::Modules;
 const CORE: &str = "crates/origami-core/src";
 const GPU: &str = "crates/origami-gpu/src";
 const SHADERS: &str = "shaders/src";
+const SESSION: &str = "crates/origami-session/src";
 const STUDY: &str = "crates/origami-study/src";
 
 /// Each module of the core, and those that it may use.
@@ -40,7 +41,7 @@ const MAY_USE: [(&str, &[&str]); 19] = [
 ];
 
 /// The workspace's crates: where each has its sources, and the file of its root module.
-const CRATES: [(&str, &str); 9] = [
+const CRATES: [(&str, &str); 11] = [
     (CORE, "lib.rs"),
     ("crates/origami-formats/src", "lib.rs"),
     (GPU, "lib.rs"),
@@ -48,6 +49,8 @@ const CRATES: [(&str, &str); 9] = [
     (STUDY, "lib.rs"),
     ("crates/origami-cli/src", "main.rs"),
     (SHADERS, "lib.rs"),
+    (SESSION, "lib.rs"),
+    ("web/src", "lib.rs"),
     ("bindings/python/src", "lib.rs"),
     ("src", "lib.rs"),
 ];
@@ -56,7 +59,7 @@ const CRATES: [(&str, &str); 9] = [
 const KNOWN: [(&str, &[&str]); 0] = [];
 
 /// Text that no line of code in a folder may hold, and why.
-const NOT_IN: [(&str, &str, &str); 21] = [
+const NOT_IN: [(&str, &str, &str); 26] = [
     (CORE, "wgpu", "the core knows no GPU"),
     (CORE, "naga", "the core knows no GPU"),
     (GPU, "clap", "the GPU's package knows no command line"),
@@ -73,6 +76,11 @@ const NOT_IN: [(&str, &str, &str); 21] = [
     ("crates/origami-picture/src", "wgpu", "pictures need no GPU"),
     ("crates/origami-picture/src", "clap", "pictures know no command line"),
     ("crates/origami-picture/src", "HashMap", "the order of a hash map is not the same in every run"),
+    (SESSION, "HashMap", "the order of a hash map is not the same in every run"),
+    (SESSION, "println!", "a library does not print"),
+    (SESSION, "std::net", "a session does not know what carries its messages"),
+    (SESSION, "std::thread", "a session runs where there are no threads"),
+    (SESSION, "Instant", "a session runs where there is no clock"),
     (STUDY, "clap", "studies know no command line"),
     (STUDY, "indicatif", "studies know no terminal"),
     (STUDY, "println!", "a library does not print"),
@@ -213,7 +221,7 @@ fn folders_hold_nothing_that_they_should_not() {
     assert!(!foreign.iter().any(|name| manifest.contains(name)), "a dependency of the core");
     let manifest = fs::read_to_string(root().join("crates/origami-gpu/Cargo.toml")).expect("UTF-8");
     assert!(!["clap", "indicatif"].iter().any(|name| manifest.contains(name)), "a dependency of the GPU's package");
-    for package in [GPU, SHADERS, STUDY] {
+    for package in [GPU, SHADERS, SESSION, STUDY] {
         let library = fs::read_to_string(root().join(package).join("lib.rs")).expect("UTF-8");
         assert!(library.contains("#![forbid(unsafe_code)]"), "{package}");
     }

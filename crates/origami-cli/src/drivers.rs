@@ -29,6 +29,7 @@ fn asks_for_gpu(cli: &Cli) -> bool {
         Command::Fold(args) => asked(args.solving.backend, &args.solving.adapter),
         Command::Sweep(args) => asked(args.solving.backend, &args.solving.adapter),
         Command::Render(args) => args.backend == BackendName::Gpu,
+        Command::View(args) => args.backend == BackendName::Gpu,
         Command::Study(args) => args.asks_for_gpu(),
         Command::Adapters(_) => true,
         _ => false,

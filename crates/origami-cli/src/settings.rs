@@ -126,7 +126,7 @@ impl Settings {
         match (format, &self.sheet_percents) {
             (Format::Contact, Some(stages)) => stages.len(),
             (Format::Contact, None) => self.percents.len(),
-            (Format::Glb | Format::Film | Format::Fold, _) if self.animated => self.percents.len(),
+            (Format::Glb | Format::Html | Format::Film | Format::Fold, _) if self.animated => self.percents.len(),
             _ => 1,
         }
     }

@@ -55,7 +55,8 @@ pub(crate) struct FoldArgs {
 
     /// Where to write; can be given more than once
     ///
-    /// The extension tells the format: .fold, .obj, .stl (binary), .glb (binary glTF), .png (a picture) or .svg (a picture
+    /// The extension tells the format: .fold, .obj, .stl (binary), .glb (binary glTF), .html (a page with the folding
+    /// as a film that one can turn; --frames says of how many stages), .png (a picture) or .svg (a picture
     /// of the crease pattern; `origami convert` writes one for plotters). `-` is FOLD on standard output. A folder (one that exists, or a path that ends in `/`, which is
     /// made) takes one file for each input, with the name of the input; several inputs need one.
     #[arg(short, long = "output", value_name = "OUT", required_unless_present_any = ["report", "png", "sheet", "animate"])]

@@ -20,6 +20,7 @@ mod study;
 mod sweep;
 mod usage;
 mod values;
+mod view;
 
 pub(crate) use adapters::AdaptersArgs;
 pub(crate) use analyse::AnalyseArgs;
@@ -49,6 +50,7 @@ pub(crate) use study::StudyArgs;
 pub(crate) use study::{StudyBackend, StudyName};
 pub(crate) use sweep::SweepArgs;
 pub(crate) use usage::message;
+pub(crate) use view::ViewArgs;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
@@ -76,6 +78,7 @@ Examples:
   origami fold miura.fold --percent 60 -o folded.fold      Fold it
   origami fold miura.fold --percent 60 -o folded.png       Fold it and draw it
   origami fold --help                                      More of these, and all settings
+  origami view miura.fold                                  Fold it by hand, in a browser
   origami sweep miura.fold --percent 0:100:5 -o out        Fold it in many ways
   origami study accuracy miura.fold -o out                 See how far to trust the solvers
   origami analyse path kresling.fold press.json -o out     Press it until it snaps, and further
@@ -96,6 +99,7 @@ pub(crate) enum Command {
     Design(Box<DesignArgs>),
     Info(InfoArgs),
     Pattern(PatternArgs),
+    View(ViewArgs),
     Adapters(AdaptersArgs),
     /// Write a completion script for a shell to standard output.
     #[command(after_help = "Example:\n  origami completions bash > ~/.local/share/bash-completion/completions/origami")]

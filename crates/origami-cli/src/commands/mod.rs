@@ -10,6 +10,7 @@ mod render;
 mod study;
 mod sweep;
 mod texts;
+mod view;
 
 use crate::args::{Cli, Command};
 use crate::exit::{Exit, Failure};
@@ -30,6 +31,7 @@ pub(crate) fn run(cli: Cli) -> Result<Exit, Failure> {
         Command::Design(args) => analyse::design(&args),
         Command::Info(args) => info::run(&args),
         Command::Pattern(args) => pattern::run(&args),
+        Command::View(args) => view::run(&args),
         Command::Adapters(args) => adapters::run(&args),
         Command::Completions { shell } => texts::completions(shell),
         Command::Man => texts::man(),

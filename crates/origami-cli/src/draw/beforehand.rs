@@ -27,7 +27,7 @@ pub(crate) fn check_drawable(
         }
         Format::Png => still::SIZE,
         Format::Contact | Format::Film => contact::SIZE,
-        Format::Fold | Format::Obj | Format::Stl => return Ok(()),
+        Format::Fold | Format::Obj | Format::Stl | Format::Html => return Ok(()),
     };
     let rest = State::at_rest(model);
     let subject = Subject { pattern, model, states: &[(0.0, &rest)] };

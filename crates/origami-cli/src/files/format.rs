@@ -15,6 +15,8 @@ pub(crate) enum Format {
     Stl,
     /// Binary glTF: the folding as an animation, for viewers
     Glb,
+    /// A page for any browser: the folding as a film that one can turn
+    Html,
     /// A picture of the folded sheet
     Png,
     /// A picture of the crease pattern as SVG
@@ -28,11 +30,11 @@ pub(crate) enum Format {
 }
 
 impl Format {
-    const ALL: [Self; 6] = [Self::Fold, Self::Obj, Self::Stl, Self::Glb, Self::Png, Self::Svg];
+    const ALL: [Self; 7] = [Self::Fold, Self::Obj, Self::Stl, Self::Glb, Self::Html, Self::Png, Self::Svg];
 
     /// Whether it needs what draws.
     pub(crate) fn is_drawn(self) -> bool {
-        !matches!(self, Self::Fold | Self::Obj | Self::Stl)
+        !matches!(self, Self::Fold | Self::Obj | Self::Stl | Self::Html)
     }
 
     /// That of a path's extension, upper or lower case.
@@ -42,13 +44,16 @@ impl Format {
     pub(crate) fn of(path: &Path) -> Result<Self, String> {
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
         let known = Self::ALL.into_iter().find(|format| format.extension() == extension);
+        if known == Some(Self::Html) {
+            super::page::check().map_err(|error| format!("{}: {error}", path.display()))?;
+        }
         known.ok_or_else(|| {
             let problem = match extension.as_str() {
                 "" => "no extension tells the format".to_owned(),
                 other => format!("the format .{other} is not known"),
             };
             format!(
-                "{}: {problem}; expected .fold, .obj, .stl, .glb, .png or .svg, an existing folder or a path ending in /",
+                "{}: {problem}; expected .fold, .obj, .stl, .glb, .html, .png or .svg, an existing folder or a path ending in /",
                 path.display()
             )
         })
@@ -61,6 +66,7 @@ impl Format {
             Self::Obj => "obj",
             Self::Stl => "stl",
             Self::Glb => "glb",
+            Self::Html => "html",
             Self::Png | Self::Contact | Self::Film => "png",
             Self::Svg => "svg",
         }

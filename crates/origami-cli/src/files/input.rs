@@ -43,12 +43,22 @@ impl Input {
     /// # Errors
     /// As for [`read`](Self::read).
     pub(crate) fn open(&self) -> Result<Opened, Error> {
+        self.bytes().map(|(_, opened)| opened)
+    }
+
+    /// As [`open`](Self::open), with the bytes of the file.
+    ///
+    /// # Errors
+    /// As for [`read`](Self::read).
+    pub(crate) fn bytes(&self) -> Result<(Vec<u8>, Opened), Error> {
         let unreadable = |source| Error::Io { path: self.to_string(), source };
         let bytes = match &self.path {
             None => read::bytes_of(io::stdin().lock()),
             Some(path) => read::bytes_of(File::open(path).map_err(unreadable)?),
         };
-        self.reading.document(&bytes?.map_err(unreadable)?, self.file())
+        let bytes = bytes?.map_err(unreadable)?;
+        let opened = self.reading.document(&bytes, self.file())?;
+        Ok((bytes, opened))
     }
 
     /// The name of what is made from it, without folder and extensions.

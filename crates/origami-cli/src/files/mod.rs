@@ -2,6 +2,7 @@
 
 mod format;
 mod input;
+mod page;
 mod plan;
 mod read;
 mod refuse;

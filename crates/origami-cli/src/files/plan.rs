@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use super::{Format, Input};
+use super::{Format, Input, page};
 
 /// A place to write to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -81,6 +81,9 @@ pub(crate) fn plan(inputs: &[Input], outputs: &[PathBuf], formats: &[Format]) ->
     }
     if folders > 0 {
         refuse_equal_stems(inputs)?;
+    }
+    if formats.contains(&Format::Html) {
+        page::check().map_err(|error| format!("--format html: {error}"))?;
     }
     let formats = if formats.is_empty() { &[Format::Fold] } else { formats };
     let targets = |input: &Input| -> Result<Vec<Target>, String> {

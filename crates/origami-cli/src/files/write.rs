@@ -11,7 +11,7 @@ use origami::model::Model;
 use origami::solve::{Folded, State};
 use origami::{CreasePattern, Error, Warning};
 
-use super::{Destination, Format, Target};
+use super::{Destination, Format, Target, page};
 use crate::console;
 use crate::draw::{self, Artist, Subject};
 use crate::numbers::percent_of;
@@ -26,6 +26,8 @@ const FACE_ORDERS: &str = "faceOrders";
 
 /// All that a file may need to know of a folded sheet.
 pub(crate) struct Sheet<'a> {
+    /// What the input is called, without its extension.
+    pub(crate) name: &'a str,
     /// What a FOLD file keeps of the input.
     pub(crate) template: &'a Template,
     /// The pattern in it.
@@ -47,7 +49,7 @@ impl Sheet<'_> {
     pub(crate) fn states_of(&self, format: Format) -> Vec<(f64, &State)> {
         let all = match format {
             Format::Contact => true,
-            Format::Glb | Format::Film => self.animated,
+            Format::Glb | Format::Html | Format::Film => self.animated,
             _ => false,
         };
         let first = if all { 0 } else { self.states.len().saturating_sub(1) };
@@ -73,6 +75,11 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<Option<Warning
         }
         // Written by whoever shows how far it has come.
         Format::Film => Ok(()),
+        Format::Html => whole(&target.destination, |writer| {
+            let states =
+                if sheet.animated { sheet.states } else { sheet.states.last().map_or(&[][..], std::slice::from_ref) };
+            page::write(sheet.name, sheet.pattern, sheet.model, states, writer)
+        }),
         Format::Fold => write_document(&target.destination, &sheet.fold()?),
         Format::Obj => {
             let Some(last) = sheet.states.last() else { return Ok(None) };

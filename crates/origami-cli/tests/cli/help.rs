@@ -38,6 +38,7 @@ fn help_is_as_reviewed() {
     golden("design", &["design", "--help"]);
     golden("info", &["info", "--help"]);
     golden("pattern", &["pattern", "--help"]);
+    golden("view", &["view", "--help"]);
     golden("completions", &["completions", "--help"]);
     golden("man", &["man", "--help"]);
 }
@@ -54,6 +55,7 @@ fn every_command_shows_an_example() {
         "design",
         "info",
         "pattern",
+        "view",
         "adapters",
         "completions",
         "man",

@@ -179,7 +179,9 @@ fn attempt(
         (on_gpu && settings.style.is_some()).then_some(&settings.backend),
     );
     let mut drawing = watch.lap();
+    let name = input.stem();
     let sheet = Sheet {
+        name: &name,
         template: &template,
         pattern: &pattern,
         model: &model,
@@ -251,7 +253,8 @@ fn draw_pattern(
     (template, pattern, model): (&Template, &CreasePattern, &Model),
 ) -> Result<(), Error> {
     let artist = Artist::new(settings.style.clone().unwrap_or_default(), None);
-    let sheet = Sheet { template, pattern, model, states: &[], animated: false, artist: &artist, fps: None };
+    let sheet =
+        Sheet { name: "sheet", template, pattern, model, states: &[], animated: false, artist: &artist, fps: None };
     targets.iter().try_for_each(|target| files::write(target, &sheet).map(|_| ()))
 }
 

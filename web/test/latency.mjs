@@ -1,0 +1,39 @@
+// How soon the page answers the slider: ORIGAMI=program node latency.mjs [address of a published folder]
+// Vertices, then milliseconds from the slider to the first picture that has moved, and pictures in a second while it moves.
+
+import { browser, open, slide, view } from "./program.mjs";
+
+const site = process.argv[2];
+const chrome = await browser();
+for (const side of site ? [32] : [32, 100]) {
+    const started = site ? { address: site, stop() {} } : await view();
+    const page = await open(chrome, started.address);
+    await page.evaluate(() => document.getElementById("gallery").close());
+    await page.evaluate((side) => origami.generate("miura", [["columns", side - 1], ["rows", side - 1]]), side);
+    await page.waitForFunction((side) => origami.model.nodes === side * side && origami.last.settled, side, { timeout: 120_000 });
+    const times = [];
+    let frames = 0;
+    for (let i = 1; i <= 10; i++) {
+        const [ms, count] = await page.evaluate((percent) => new Promise((resolve) => {
+            const before = origami.model.points.slice();
+            const begun = performance.now();
+            let [moved, seen] = [0, 0];
+            const slider = document.getElementById("percent");
+            slider.value = percent;
+            slider.dispatchEvent(new Event("input"));
+            const look = () => {
+                seen++;
+                if (!moved && origami.model.points.some((x, i) => i % 4 < 3 && x !== before[i])) moved = performance.now() - begun;
+                performance.now() - begun < 1000 ? requestAnimationFrame(look) : resolve([moved, seen]);
+            };
+            requestAnimationFrame(look);
+        }), 3 * i);
+        times.push(ms);
+        frames += count;
+    }
+    times.sort((a, b) => a - b);
+    console.log(`${side * side} vertices: ${times.map((ms) => ms.toFixed(0)).join(" ")} ms; ${(frames / 10).toFixed(0)} pictures a second`);
+    await page.close();
+    started.stop();
+}
+await chrome.close();

@@ -66,6 +66,7 @@ fn at_rest(model: &Model) -> Folded {
         residual: 0.0,
         distance: 0.0,
         attempts: 1,
+        factorisations: 0,
     }
 }
 

@@ -41,7 +41,7 @@ const MAY_USE: [(&str, &[&str]); 19] = [
 ];
 
 /// The workspace's crates: where each has its sources, and the file of its root module.
-const CRATES: [(&str, &str); 11] = [
+const CRATES: [(&str, &str); 12] = [
     (CORE, "lib.rs"),
     ("crates/origami-formats/src", "lib.rs"),
     (GPU, "lib.rs"),
@@ -51,6 +51,7 @@ const CRATES: [(&str, &str); 11] = [
     (SHADERS, "lib.rs"),
     (SESSION, "lib.rs"),
     ("web/src", "lib.rs"),
+    ("web/worker/src", "lib.rs"),
     ("bindings/python/src", "lib.rs"),
     ("src", "lib.rs"),
 ];

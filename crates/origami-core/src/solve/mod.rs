@@ -12,6 +12,7 @@
 pub mod attempt;
 mod bare_kernel;
 mod clock;
+mod contact_relax;
 mod crushed;
 mod driver;
 pub mod dynamics;
@@ -33,6 +34,7 @@ pub mod relax;
 pub mod row_sums;
 mod saddle;
 mod saved;
+mod sequence;
 mod settle;
 mod simulation;
 mod sparse_hessian;
@@ -45,6 +47,7 @@ pub mod time_step;
 
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
+pub use contact_relax::{ContactRelax, Touch};
 pub use crushed::{CRUSHED, crushed_triangles};
 pub use driver::{Folded, Instance, Progress, Session, Solver, Stop, unwatched};
 pub use dynamics::Dynamics;
@@ -60,6 +63,7 @@ pub use precision::Precision;
 pub use reflect::Reflect;
 pub use relax::{Relax, default_ramp};
 pub use saved::Saved;
+pub use sequence::{Reached, SequenceFailed, Steps, fold_sequence};
 pub use simulation::{Pin, Simulation};
 pub use sparse_hessian::SparseHessian;
 pub use state::State;

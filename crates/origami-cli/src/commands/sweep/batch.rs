@@ -255,6 +255,7 @@ impl Work<'_> {
         folded.state = attitude::turned(model, &folded.state, self.hold)?;
         let artist = Artist::default();
         let sheet = Sheet {
+            steps: &[],
             template: self.template,
             pattern: self.pattern,
             model,

@@ -38,7 +38,7 @@ pub(crate) struct Settings {
     /// Whether a report is asked for.
     pub(crate) reported: bool,
     /// How paper keeps away from paper; `None` is not at all.
-    pub(crate) contact: Option<Contact>,
+    pub(crate) contact: Option<AskedContact>,
     /// The order in which creases fold; `None` is all at once.
     pub(crate) sequence: Option<SequenceSource>,
     /// How many parts of each stage are shown.
@@ -100,7 +100,7 @@ impl Settings {
             parts: args.frames.unwrap_or(1),
             percent: args.percent,
             reported: args.report.is_some(),
-            check: args.contact.check || args.contact.contact,
+            check: args.contact.check || args.contact.keeps_apart(),
             contact: contact(args),
             sequence: sequence.clone(),
             style: drawn.then(|| Style::new(&args.picture)).transpose()?,
@@ -178,7 +178,7 @@ impl Settings {
 /// Whether `--sequence` or `--contact` is asked for; what goes with neither is refused.
 fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
     let solving = &args.solving;
-    let asked = [("--sequence", args.contact.sequence.is_some()), ("--contact", args.contact.contact)];
+    let asked = [("--sequence", args.contact.sequence.is_some()), ("--contact", args.contact.keeps_apart())];
     let Some((option, _)) = asked.iter().find(|(_, given)| *given) else { return Ok(false) };
     if solving.solver != SolverName::Relax {
         return Err(format!("--solver {}: it has no {option}; expected relax", solving.solver.name()));
@@ -186,16 +186,33 @@ fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
     if solving.backend == BackendName::Gpu {
         return Err(format!("--backend gpu: {option} runs on the processor; expected auto or cpu"));
     }
-    if args.contact.contact && solving.precision() != Precision::F64 {
+    if args.contact.keeps_apart() && solving.precision() != Precision::F64 {
         return Err("--precision mixed: contact needs f64; expected f64 with --contact".to_owned());
     }
     Ok(true)
 }
 
-fn contact(args: &FoldArgs) -> Option<Contact> {
-    let mut contact = Contact::default();
-    contact.gap = args.contact.contact_gap.unwrap_or(contact.gap);
-    args.contact.contact.then_some(contact)
+/// Contact as it is asked for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AskedContact {
+    /// In radii.
+    gap: Option<f64>,
+    /// In the file's unit.
+    thickness: Option<f64>,
+}
+
+impl AskedContact {
+    /// That of a sheet, whose file has a unit.
+    pub(crate) fn of(self, model: &Model) -> Contact {
+        let thick = |thickness| Contact::thick(thickness / model.normalisation.radius);
+        let contact = self.thickness.map_or_else(Contact::default, thick);
+        Contact { gap: self.gap.unwrap_or(contact.gap), ..contact }
+    }
+}
+
+fn contact(args: &FoldArgs) -> Option<AskedContact> {
+    let asked = AskedContact { gap: args.contact.contact_gap, thickness: args.contact.thickness };
+    args.contact.keeps_apart().then_some(asked)
 }
 
 /// The material of a solver: the paper's motion has the paper's springs.

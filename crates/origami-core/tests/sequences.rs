@@ -278,3 +278,35 @@ fn what_was_written_is_folded_again() {
     near(&sheet.degrees(&refolded[1]), &[70.0, -20.0]);
     assert!(Sequence::of_frames(&sheet.document, 0).is_err(), "a pattern alone has no frames to fold to");
 }
+
+#[test]
+fn the_examples_fold_to_their_end() {
+    let files = [
+        (include_str!("../../../examples/sequences/letter-fold.fold"), 2),
+        (include_str!("../../../examples/sequences/petal-fold.fold"), 2),
+        (include_str!("../../../examples/sequences/crane-base.fold"), 3),
+    ];
+    for (text, count) in files {
+        let document = Document::from_slice(text.as_bytes()).expect("a document");
+        let frame = document.frame(0).expect("a frame");
+        let pattern = CreasePattern::from_document(&document, 0).expect("a pattern");
+        let model = Model::new(&pattern, &Material::default()).expect("a model");
+        let sequence = Sequence::in_frame(&frame).expect("a sequence").expect("one");
+        let stages = sequence.stages(&frame, &pattern, &model).expect("stages");
+        let mut go = |_, _| ControlFlow::Continue(());
+        let start = State::at_rest(&model);
+        let reached = fold_sequence(&model, (&Relax::default(), None), &start, (&stages, 1), &mut go).expect("it folds");
+        assert_eq!(reached.len(), count);
+        for Reached { folded, .. } in &reached {
+            let State { fold_angles, targets, .. } = &folded.state;
+            let off = fold_angles.iter().zip(targets).map(|(a, t)| (a - t).abs()).fold(0.0, f64::max);
+            assert!(folded.converged() && off < 1e-3, "{}: {off}", stages[0].name);
+        }
+        // They end as the pattern says: all that is flat in it is flat again.
+        let last = &reached[count - 1].folded.state;
+        if count != 2 || text.contains("letter") {
+            let asked = model.creases.iter().map(|crease| crease.full_target);
+            assert!(last.targets.iter().zip(asked).all(|(target, asked)| (target - asked).abs() < 1e-9));
+        }
+    }
+}

@@ -17,6 +17,13 @@ pub(crate) enum SequenceSource {
     File(PathBuf),
 }
 
+impl ContactArgs {
+    /// Whether paper is to be kept from going through paper.
+    pub(crate) fn keeps_apart(&self) -> bool {
+        self.contact || self.contact_gap.is_some() || self.thickness.is_some()
+    }
+}
+
 impl SequenceSource {
     #[expect(clippy::unnecessary_wraps, reason = "as clap has it")]
     fn parse(text: &str) -> Result<Self, String> {
@@ -53,9 +60,17 @@ pub(crate) struct ContactArgs {
 
     /// The gap from which layers push each other away, in units of the sheet's radius [default: 0.001]
     ///
-    /// Smaller: layers lie closer and creases come nearer to their angles, for more steps.
-    #[arg(long, value_name = "X", value_parser = positive, requires = "contact")]
+    /// Smaller: layers lie closer and creases come nearer to their angles, for more steps. Implies --contact.
+    #[arg(long, value_name = "X", value_parser = positive, conflicts_with = "from_flat")]
     pub(crate) contact_gap: Option<f64>,
+
+    /// How thick the paper is, in the file's unit [default: 0]
+    ///
+    /// Layers keep so far from each other, measured between their middle planes; two faces that share a crease are a wedge,
+    /// which is as thick at their centroids and closes at the crease. The gap is a tenth of it unless another is asked for.
+    /// Implies --contact.
+    #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "from_flat")]
+    pub(crate) thickness: Option<f64>,
 
     /// Tell where the folded sheet goes through itself, and which of its faces cross
     ///

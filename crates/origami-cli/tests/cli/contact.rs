@@ -95,3 +95,25 @@ fn a_sequence_that_cannot_be_is_refused_with_its_place() {
     place.run("fold letter.fold --sequence own --backend gpu -o a.fold").fails(1, "--backend gpu");
     place.run("fold letter.fold --sequence none.json -o a.fold").fails(1, "none.json");
 }
+
+#[test]
+fn a_letter_is_blocked_at_once_and_closes_in_order() {
+    let place = Place::new();
+    place.put("letter.fold", include_str!("../../../../examples/sequences/letter-fold.fold"));
+    let ran = place.run("fold letter.fold --contact -o a.fold --report r.json");
+    ran.fails(3, "letter.fold: blocked at 100 % after ");
+    assert!(ran.stderr.contains("faces 0 and 2 press hardest"), "{}", ran.stderr);
+    assert_eq!(place.json("a.fold")["origami:blocked"], json!(true));
+    let report = place.json("r.json");
+    assert_eq!((&report["stop"], &report["contact"]["blocked"]), (&json!("blocked"), &json!(true)));
+    assert_eq!((&report["contact"]["pressing"][0]["faces"], &report["crossings"]["count"]), (&json!([0, 2]), &json!(0)));
+    let first = report["contact"]["first_percent"].as_f64().unwrap();
+    assert!(first > 50.0 && first < 100.0, "{first}");
+    place.run("fold letter.fold --contact --sequence own -o b.fold --report r.json --quiet").succeeds();
+    let report = place.json("r.json");
+    assert_eq!((&report["contact"]["blocked"], &report["crossings"]["count"]), (&json!(false), &json!(0)));
+    assert_eq!(place.json("b.fold")["file_frames"][1].get("origami:blocked"), None);
+    place.run("fold letter.fold --thickness 0.02 --sequence own -o c.fold --quiet").succeeds();
+    place.run("fold letter.fold --contact --solver newton -o d.fold").fails(1, "--solver newton: it has no --contact");
+    place.run("fold letter.fold --contact --precision mixed -o d.fold").fails(1, "--precision mixed");
+}

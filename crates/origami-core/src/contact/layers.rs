@@ -37,6 +37,8 @@ pub(crate) struct Near {
 #[derive(Clone, Debug)]
 pub(crate) struct Layers {
     contact: Contact,
+    /// Whether many pairs are measured by many threads.
+    shared: bool,
     finder: Finder,
     skin: f64,
     pairs: Vec<Pair>,
@@ -52,19 +54,20 @@ pub(crate) struct Layers {
     /// Kept for their memory.
     wanted: Vec<u32>,
     measured: Vec<Near>,
-    distances: Vec<f64>,
+    gaps: Vec<f64>,
     lengths: Vec<f64>,
     /// By node: the share of its move that it may make.
     shares: Vec<f64>,
 }
 
 impl Layers {
-    /// Those of a sheet with its nodes at `rest`.
-    pub(crate) fn new(mesh: &Mesh, rest: &[DVec3], contact: Contact) -> Self {
-        let finder = Finder::new(mesh, rest, contact.gap);
+    /// Those of a sheet with its nodes at `rest`; `shared` out among the threads of the pool or not: equal bits.
+    pub(crate) fn new(mesh: &Mesh, rest: &[DVec3], contact: Contact, shared: bool) -> Self {
+        let finder = Finder::new(mesh, rest, contact);
         let skin = SKIN * finder.median_edge();
         Self {
             contact,
+            shared,
             finder,
             skin,
             pairs: Vec::new(),
@@ -74,7 +77,7 @@ impl Layers {
             near: Vec::new(),
             wanted: Vec::new(),
             measured: Vec::new(),
-            distances: Vec::new(),
+            gaps: Vec::new(),
             lengths: Vec::new(),
             shares: Vec::new(),
         }
@@ -102,7 +105,7 @@ impl Layers {
         self.wanted.extend((0..).zip(&self.due).filter(|(_, due)| **due < bound).map(|(pair, _)| pair));
         let Self { pairs, wanted, measured, .. } = self;
         let one = |pair: &u32| near(*pair, &pairs[*pair as usize], positions);
-        if wanted.len() >= 2 * TASK {
+        if self.shared && wanted.len() >= 2 * TASK {
             parallel::map_into(wanted, TASK, one, measured);
         } else {
             measured.clear();
@@ -117,9 +120,9 @@ impl Layers {
     /// Lists the pairs anew.
     fn list(&mut self, positions: &[DVec3]) {
         let reach = self.contact.gap + self.skin;
-        self.finder.find(positions, reach, &mut self.pairs, &mut self.distances);
+        self.finder.find(positions, reach, &mut self.pairs, &mut self.gaps);
         self.due.clear();
-        self.due.extend(self.pairs.iter().zip(&self.distances).map(|(pair, d)| d - pair.closed + 2.0 * self.way));
+        self.due.extend(self.gaps.iter().map(|gap| gap + 2.0 * self.way));
         self.listed_at.clear();
         self.listed_at.extend_from_slice(positions);
     }
@@ -248,7 +251,7 @@ mod tests {
         let model = model(name);
         let mut next = noise(3);
         let positions: Vec<DVec3> = model.rest.iter().map(|p| *p + 0.4 * DVec3::new(next(), next(), next())).collect();
-        let mut layers = Layers::new(&model.mesh, &model.rest, Contact { gap, ..Contact::default() });
+        let mut layers = Layers::new(&model.mesh, &model.rest, Contact { gap, ..Contact::default() }, true);
         layers.measure(&positions);
         (positions, layers)
     }
@@ -302,7 +305,7 @@ mod tests {
     /// A walk of random moves from a flat sheet, shortened or not: the steps after which it is crossed.
     fn walk(name: &str, seed: u64, shortened: bool) -> usize {
         let model = model(name);
-        let mut layers = Layers::new(&model.mesh, &model.rest, Contact::default());
+        let mut layers = Layers::new(&model.mesh, &model.rest, Contact::default(), false);
         let (mut next, mut positions, mut crossed) = (noise(seed), model.rest.clone(), 0);
         let mut drift: Vec<DVec3> = positions.iter().map(|_| DVec3::new(next(), next(), next())).collect();
         for step in 0..150 {

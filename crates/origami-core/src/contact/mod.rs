@@ -15,6 +15,7 @@ mod limit;
 mod pairs;
 mod pressing;
 mod settings;
+mod wedge;
 
 pub use crossings::{Crossing, Crossings};
 pub use pressing::Pressing;

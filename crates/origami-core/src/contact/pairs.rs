@@ -5,10 +5,12 @@
 
 use glam::DVec3;
 
+use super::Contact;
 use super::boxes::{Bounds, BoxTree};
 use super::distance::{Nearest, of_edges, of_point_and_triangle};
+use super::wedge::{THICKEST, Wedges};
 use crate::ids::NodeId;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Side};
 
 /// Pairs come no nearer than their gap begins at this share of their distance in the flat sheet: there nothing presses.
 const OF_REST: f64 = 0.9;
@@ -51,19 +53,28 @@ pub(super) struct Finder {
     rest: Vec<DVec3>,
     /// The gap of a pair whose distance in the flat sheet is large enough.
     gap: f64,
+    /// Of paper that has a thickness.
+    wedges: Option<Wedges>,
+    /// The farthest that a pair can be apart and closed, in radii.
+    thickest: f64,
 }
 
 impl Finder {
-    /// That of a sheet with its nodes at `rest`, for paper that pushes from this gap on, in radii.
-    pub(super) fn new(mesh: &Mesh, rest: &[DVec3], gap: f64) -> Self {
+    /// That of a sheet with its nodes at `rest`.
+    pub(super) fn new(mesh: &Mesh, rest: &[DVec3], contact: Contact) -> Self {
         let points = (0..mesh.node_count()).filter(|n| !mesh.triangles_of_node.row(*n).is_empty());
         let paper = mesh.sides.iter().filter(|side| side.triangles.iter().any(Option::is_some));
+        let paper: Vec<&Side> = paper.collect();
+        let Contact { gap, thickness, .. } = contact;
+        let wedges = (thickness > 0.0).then(|| Wedges::new(mesh, rest, &paper, thickness));
         Self {
             points: points.map(NodeId::new).collect(),
             triangles: mesh.triangles.clone(),
-            edges: paper.map(|side| side.nodes).collect(),
+            edges: paper.iter().map(|side| side.nodes).collect(),
             rest: rest.to_vec(),
             gap,
+            wedges,
+            thickest: THICKEST * thickness,
         }
     }
 
@@ -75,51 +86,56 @@ impl Finder {
         lengths.get(lengths.len() / 2).copied().unwrap_or(1.0)
     }
 
-    /// Replaces `pairs` by all whose distance at `positions` is below `reach`, with that distance in `distances`; always in the
-    /// same order.
-    pub(super) fn find(&self, positions: &[DVec3], reach: f64, pairs: &mut Vec<Pair>, distances: &mut Vec<f64>) {
+    /// Replaces `pairs` by all whose gap at `positions` is below `reach`, with that gap in `gaps`; always in the same order.
+    pub(super) fn find(&self, positions: &[DVec3], reach: f64, pairs: &mut Vec<Pair>, gaps: &mut Vec<f64>) {
         pairs.clear();
-        distances.clear();
+        gaps.clear();
         let at = |n: &NodeId| positions[n.index()];
-        let mut take = |nodes: [NodeId; 4], split: usize| {
+        let farthest = reach + self.thickest;
+        let mut take = |nodes: [NodeId; 4], split: usize, numbers: [usize; 2]| {
             let mut pair = Pair { nodes, split, closed: 0.0, width: 0.0, eased: 0.0 };
             let distance = pair.nearest(&pair.points(positions)).apart.length();
-            if distance < reach && self.measure(&mut pair) {
+            if distance < farthest && self.measure(&mut pair, numbers) && distance - pair.closed < reach {
                 pairs.push(pair);
-                distances.push(distance);
+                gaps.push(distance - pair.closed);
             }
         };
         let boxes: Vec<Bounds> = self.triangles.iter().map(|nodes| Bounds::around(nodes.iter().map(at))).collect();
         let tree = BoxTree::new(&boxes);
         for &point in &self.points {
-            let own = Bounds::around([at(&point)]).grown(reach);
+            let own = Bounds::around([at(&point)]).grown(farthest);
             tree.near(&own, |triangle| {
                 let [a, b, c] = self.triangles[triangle];
                 if boxes[triangle].meets(&own) && ![a, b, c].contains(&point) {
-                    take([point, a, b, c], 1);
+                    take([point, a, b, c], 1, [0, triangle]);
                 }
             });
         }
         let boxes: Vec<Bounds> = self.edges.iter().map(|nodes| Bounds::around(nodes.iter().map(at))).collect();
         let tree = BoxTree::new(&boxes);
         for (first, &[p, q]) in self.edges.iter().enumerate() {
-            let own = boxes[first].grown(reach);
+            let own = boxes[first].grown(farthest);
             tree.near(&own, |second| {
                 let [r, s] = self.edges[second];
                 if second > first && boxes[second].meets(&own) && ![r, s].contains(&p) && ![r, s].contains(&q) {
-                    take([p, q, r, s], 2);
+                    take([p, q, r, s], 2, [first, second]);
                 }
             });
         }
     }
 
-    /// The gap of a pair: less where it is narrow in the flat sheet. False for one that touches there, such as the two lips of
-    /// a cut: nothing can be said of it.
-    fn measure(&self, pair: &mut Pair) -> bool {
+    /// The gap and the thickness of a pair: less where it is narrow in the flat sheet. `numbers` are those of the triangle, or
+    /// of both edges. False for one that touches there, such as the two lips of a cut: nothing can be said of it.
+    fn measure(&self, pair: &mut Pair, numbers: [usize; 2]) -> bool {
         let points = pair.points(&self.rest);
         let at_rest = pair.nearest(&points).apart.length();
-        let scale = (OF_REST * at_rest / self.gap).min(1.0);
+        let thickness = self.wedges.as_ref().map_or(0.0, |wedges| match pair.split {
+            1 => wedges.of_point(pair.nodes[0], numbers[1], &points),
+            _ => wedges.of_edges(numbers, &points),
+        });
+        let scale = (OF_REST * at_rest / (thickness + self.gap)).min(1.0);
         pair.width = scale * self.gap;
+        pair.closed = scale * thickness;
         if pair.split == 2 {
             let [p, q, r, s] = points;
             pair.eased = EASED * (q - p).length_squared() * (s - r).length_squared();

@@ -13,7 +13,7 @@ use crate::ids::{FaceId, NodeId};
 use crate::mesh::{Mesh, Side};
 
 /// No part of a wedge is thicker than so many times the paper.
-const THICKEST: f64 = 2.0;
+pub(super) const THICKEST: f64 = 2.0;
 
 /// The faces of a sheet, and the lines at which they meet.
 #[derive(Clone, Debug)]
@@ -55,7 +55,8 @@ impl Wedges {
             faces.dedup();
             faces
         };
-        let faces_of_node = mesh.triangles_of_node.iter().map(|row| unique(row.iter().map(|t| face(t.index())).collect()));
+        let faces_of_node =
+            mesh.triangles_of_node.iter().map(|row| unique(row.iter().map(|t| face(t.index())).collect()));
         let of_side = |side: &Side| unique(side.triangles.iter().flatten().map(|t| face(t.index())).collect());
         let mut corners: BTreeMap<FaceId, Vec<NodeId>> = BTreeMap::new();
         for (triangle, nodes) in mesh.triangles.iter().enumerate() {
@@ -66,9 +67,8 @@ impl Wedges {
             let [one, other] = *of_side(side).as_slice() else { continue };
             let [a, b] = side.nodes.map(|n| rest[n.index()]);
             let line = Hinge { at: a, along: (b - a).normalize_or_zero(), width: 0.0 };
-            let reach = |face: FaceId| {
-                corners[&face].iter().map(|n| line.distance(rest[n.index()])).fold(0.0, f64::max)
-            };
+            let reach =
+                |face: FaceId| corners[&face].iter().map(|n| line.distance(rest[n.index()])).fold(0.0, f64::max);
             hinges.entry([one, other]).or_default().push(Hinge { width: reach(one).min(reach(other)), ..line });
         }
         Self {
@@ -127,7 +127,8 @@ mod tests {
         let edges: Vec<&Side> = model.mesh.sides.iter().collect();
         let wedges = Wedges::new(&model.mesh, &model.rest, &edges, 0.01);
         let face = |triangle: usize| model.mesh.face_of_triangle[triangle];
-        let of_face = |wanted: FaceId| (0..model.mesh.triangles.len()).find(|t| face(*t) == wanted).expect("a triangle");
+        let of_face =
+            |wanted: FaceId| (0..model.mesh.triangles.len()).find(|t| face(*t) == wanted).expect("a triangle");
         let faces: Vec<FaceId> = (0..3).map(FaceId).collect();
         // Which panel is which follows from where its triangles are.
         let middle = |f: &FaceId| {

@@ -129,11 +129,14 @@ impl ContactRelax {
     }
 
     fn check(&self, scene: &Scene) -> Result<(), Refusal> {
-        let Contact { gap, stiffness } = self.contact;
+        let Contact { gap, stiffness, thickness } = self.contact;
         for (what, value) in [("gap", gap), ("stiffness", stiffness)] {
             if !(value.is_finite() && value > 0.0) {
                 return Err(Refusal::Contact { what, value });
             }
+        }
+        if !(thickness.is_finite() && thickness >= 0.0) {
+            return Err(Refusal::Contact { what: "thickness", value: thickness });
         }
         if self.relax.precision != Precision::F64 {
             return Err(Refusal::Unsupported {
@@ -201,7 +204,7 @@ impl<'a> Run<'a> {
         if let Some([one, other]) = crossings.faces.first() {
             return Err(refused(Refusal::Crossed { faces: [*one, *other] }));
         }
-        let mut layers = Layers::new(&model.mesh, &model.rest, solver.contact);
+        let mut layers = Layers::new(&model.mesh, &model.rest, solver.contact, threads > 1);
         layers.measure(&positions);
         if layers.least_gap() <= 0.0 {
             return Err(refused(Refusal::Closed { gap: layers.least_gap() }));

@@ -112,7 +112,7 @@ fn attempt(
     };
     let (mut steps, mut touches) = (Vec::new(), Vec::new());
     let mut path = |percents: &[f64], before: usize| {
-        let gone = match (&stages, settings.contact, &settings.method) {
+        let gone = match (&stages, settings.contact.map(|asked| asked.of(&model)), &settings.method) {
             (Some(stages), contact, Method::Relax(relax)) => {
                 // How many stages there are is not known where the way is told.
                 let mut watched = |_, progress| watched(0, progress);
@@ -160,7 +160,7 @@ fn attempt(
     let (mut states, mut shown) = match solved {
         Ok(solved) => solved,
         Err(failed) => {
-            let Failed::Diverged(diverged) = &failed.failed else {
+            let Failed::Diverged(diverged) = &*failed.failed else {
                 return Ok(refused(input, &failed.message, told));
             };
             run.measured = Measured {

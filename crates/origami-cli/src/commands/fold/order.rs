@@ -30,7 +30,7 @@ pub(super) struct Ended {
     pub(super) states: Vec<Folded>,
     /// The percentage that it was on its way to; NaN in a sequence.
     pub(super) percent: f64,
-    pub(super) failed: Failed,
+    pub(super) failed: Box<Failed>,
     /// All of it, for a person.
     pub(super) message: String,
 }
@@ -38,7 +38,7 @@ pub(super) struct Ended {
 impl From<PathFailed> for Ended {
     fn from(failed: PathFailed) -> Self {
         let message = failed.to_string();
-        Self { states: failed.states, percent: failed.percent, failed: failed.failed, message }
+        Self { states: failed.states, percent: failed.percent, failed: Box::new(failed.failed), message }
     }
 }
 
@@ -46,7 +46,7 @@ impl From<SequenceFailed> for Ended {
     fn from(failed: SequenceFailed) -> Self {
         let message = failed.to_string();
         let states = failed.states.into_iter().map(|reached| reached.folded).collect();
-        Self { states, percent: f64::NAN, failed: failed.failed, message }
+        Self { states, percent: f64::NAN, failed: Box::new(failed.failed), message }
     }
 }
 

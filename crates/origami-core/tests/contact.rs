@@ -171,7 +171,8 @@ fn where_nothing_touches_the_state_is_the_same() {
 fn equal_bits_for_any_number_of_threads() {
     let model = model("miura");
     let fold = |threads: usize| {
-        let relax = Relax { threads: std::num::NonZeroUsize::new(threads), ..Relax::default() };
+        let threads = std::num::NonZeroUsize::new(threads);
+        let relax = Relax { threads, ramp: Some(150), steps: Some(200), ..Relax::default() };
         ContactRelax { relax, ..ContactRelax::default() }.fold_from_rest(&model, 100.0).expect("it folds").state
     };
     assert_eq!(fold(1), fold(3));
@@ -271,8 +272,8 @@ fn the_height_of_an_accordion_does_not_depend_on_its_cuts() {
     for panels in [4, 8] {
         let [parallel, mirrored] = [false, true].map(|mirrored| height(panels, mirrored));
         for height in [parallel, mirrored] {
-            assert!((height - 1.0).abs() < 0.08, "{panels} panels: {height} times (n - 1) t");
+            assert!((height - 1.0).abs() < 0.05, "{panels} panels: {height} times (n - 1) t");
         }
-        assert!((parallel - mirrored).abs() < 0.02, "{panels} panels: {parallel} and {mirrored}");
+        assert!((parallel - mirrored).abs() < 0.01, "{panels} panels: {parallel} and {mirrored}");
     }
 }

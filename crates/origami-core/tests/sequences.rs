@@ -295,7 +295,8 @@ fn the_examples_fold_to_their_end() {
         let stages = sequence.stages(&frame, &pattern, &model).expect("stages");
         let mut go = |_, _| ControlFlow::Continue(());
         let start = State::at_rest(&model);
-        let reached = fold_sequence(&model, (&Relax::default(), None), &start, (&stages, 1), &mut go).expect("it folds");
+        let reached =
+            fold_sequence(&model, (&Relax::default(), None), &start, (&stages, 1), &mut go).expect("it folds");
         assert_eq!(reached.len(), count);
         for Reached { folded, .. } in &reached {
             let State { fold_angles, targets, .. } = &folded.state;

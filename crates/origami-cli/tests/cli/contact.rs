@@ -106,7 +106,10 @@ fn a_letter_is_blocked_at_once_and_closes_in_order() {
     assert_eq!(place.json("a.fold")["origami:blocked"], json!(true));
     let report = place.json("r.json");
     assert_eq!((&report["stop"], &report["contact"]["blocked"]), (&json!("blocked"), &json!(true)));
-    assert_eq!((&report["contact"]["pressing"][0]["faces"], &report["crossings"]["count"]), (&json!([0, 2]), &json!(0)));
+    assert_eq!(
+        (&report["contact"]["pressing"][0]["faces"], &report["crossings"]["count"]),
+        (&json!([0, 2]), &json!(0))
+    );
     let first = report["contact"]["first_percent"].as_f64().unwrap();
     assert!(first > 50.0 && first < 100.0, "{first}");
     place.run("fold letter.fold --contact --sequence own -o b.fold --report r.json --quiet").succeeds();

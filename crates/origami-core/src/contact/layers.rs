@@ -258,16 +258,15 @@ mod tests {
 
     #[test]
     fn forces_are_the_gradient_of_the_energy_in_every_region() {
-        let (mut corners, mut insides, mut eased_out) = (0, 0, 0);
+        let (mut corners, mut insides) = (0, 0);
         for name in ["square-twist", "waterbomb", "miura"] {
             let (positions, mut layers) = crumpled(name, 0.1);
             let (mut forces, mut sums) = (vec![DVec3::ZERO; positions.len()], vec![0.0; positions.len()]);
             layers.add(&positions, &mut forces, &mut sums);
-            for (pair, near) in layers.pushing() {
+            for (_, near) in layers.pushing() {
                 let zeros = near.weights.iter().filter(|weight| **weight == 0.0).count();
                 corners += usize::from(zeros > 0);
                 insides += usize::from(zeros == 0);
-                eased_out += usize::from(eased(pair, &positions).0 < 1.0);
             }
             let size = forces.iter().map(|f| f.length()).fold(0.0, f64::max);
             assert!(size > 0.0);
@@ -287,7 +286,7 @@ mod tests {
                 }
             }
         }
-        assert!(corners > 20 && insides > 20 && eased_out > 0, "{corners} {insides} {eased_out}");
+        assert!(corners > 20 && insides > 20, "{corners} {insides}");
     }
 
     #[test]

@@ -18,7 +18,7 @@ const SESSION: &str = "crates/origami-session/src";
 const STUDY: &str = "crates/origami-study/src";
 
 /// Each module of the core, and those that it may use.
-const MAY_USE: [(&str, &[&str]); 19] = [
+const MAY_USE: [(&str, &[&str]); 21] = [
     ("csr", &[]),
     ("ids", &[]),
     ("error", &["ids"]),
@@ -31,13 +31,21 @@ const MAY_USE: [(&str, &[&str]); 19] = [
     ("generate", &["error", "ids", "pattern", "rigid"]),
     ("mesh", &["csr", "error", "ids", "pattern"]),
     ("model", &["error", "ids", "mesh", "parallel", "pattern"]),
+    ("contact", &["ids", "mesh", "parallel"]),
     ("scene", &["ids", "model"]),
+    ("sequence", &["error", "fold", "ids", "model", "pattern"]),
     ("forces", &["ids", "model", "scene"]),
     ("kernel", &["csr", "forces", "ids", "model", "parallel", "scene", "twins"]),
-    ("solve", &["csr", "error", "flat", "forces", "ids", "kernel", "model", "parallel", "scene", "twins"]),
+    (
+        "solve",
+        &[
+            "contact", "csr", "error", "flat", "forces", "ids", "kernel", "model", "parallel", "scene", "sequence",
+            "twins",
+        ],
+    ),
     ("analysis", &["error", "fold", "forces", "ids", "mesh", "model", "pattern", "scene", "solve"]),
     ("measure", &["error", "flat", "forces", "ids", "mesh", "model", "pattern", "rigid", "scene", "solve"]),
-    ("export", &["error", "fold", "ids", "measure", "model", "pattern", "scene", "solve"]),
+    ("export", &["error", "fold", "ids", "measure", "model", "pattern", "scene", "sequence", "solve"]),
 ];
 
 /// The workspace's crates: where each has its sources, and the file of its root module.

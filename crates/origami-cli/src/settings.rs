@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use origami::contact::Contact;
 use origami::measure::attitude::Hold;
 use origami::model::{Material, Model};
 #[cfg(feature = "newton")]
@@ -9,7 +10,7 @@ use origami::solve::Newton;
 use origami::solve::{Dynamics, Failed, Integrator, Precision, Reflect, Relax, Solver, State, TimeStep, time_step};
 use origami::{CreasePattern, Warning, measure};
 
-use crate::args::{BackendName, FoldArgs, IntegratorName, PrecisionName, SolverName, SolvingArgs};
+use crate::args::{BackendName, FoldArgs, IntegratorName, PrecisionName, SequenceSource, SolverName, SolvingArgs};
 use crate::backend::{Backend, Method};
 use crate::draw::{Film, Style};
 use crate::files::Format;
@@ -36,6 +37,16 @@ pub(crate) struct Settings {
     pub(crate) animated: bool,
     /// Whether a report is asked for.
     pub(crate) reported: bool,
+    /// How paper keeps away from paper; `None` is not at all.
+    pub(crate) contact: Option<AskedContact>,
+    /// The order in which creases fold; `None` is all at once.
+    pub(crate) sequence: Option<SequenceSource>,
+    /// How many parts of each stage are shown.
+    pub(crate) parts: u32,
+    /// The percentage that was asked for.
+    pub(crate) percent: f64,
+    /// Whether states are tested for crossings.
+    pub(crate) check: bool,
     /// How pictures look; `None` where none are wanted.
     pub(crate) style: Option<Style>,
     /// What films are like.
@@ -70,6 +81,8 @@ impl Settings {
     /// What this build or this machine cannot do.
     pub(crate) fn new(args: &FoldArgs, drawn: bool) -> Result<Self, String> {
         let solving = &args.solving;
+        let sequence = &args.contact.sequence;
+        let stepwise = refuse_for_stepwise(args)?;
         let (time_step, integrator) = (solving.time_step(), solving.integrator());
         let beside_sheet = !args.outputs.is_empty() || args.png.is_some() || args.animate.is_some();
         let of_sheet = args.sheet.is_some() && args.frames.is_none();
@@ -77,14 +90,19 @@ impl Settings {
         let stages = args.frames.or(sheet_alone.then_some(STAGES));
         let from_flat = args.from_flat.then(|| 100.0_f64.copysign(args.percent));
         let stages_to = |n| frame_percents(from_flat.unwrap_or(0.0), args.percent, n);
-        let percents = stages.map_or_else(|| vec![args.percent], stages_to);
+        let percents = stages.filter(|_| sequence.is_none()).map_or_else(|| vec![args.percent], stages_to);
         Ok(Self {
             frame: args.frame,
             percents,
             sheet_percents: (of_sheet && !sheet_alone).then(|| stages_to(STAGES)),
             steps: solving.steps,
-            animated: args.frames.is_some(),
+            animated: args.frames.is_some() || sequence.is_some(),
+            parts: args.frames.unwrap_or(1),
+            percent: args.percent,
             reported: args.report.is_some(),
+            check: args.contact.check || args.contact.keeps_apart(),
+            contact: contact(args),
+            sequence: sequence.clone(),
             style: drawn.then(|| Style::new(&args.picture)).transpose()?,
             film: Film { turntable: args.turntable, fps: args.fps },
             hold: args.hold.unwrap_or_default(),
@@ -94,7 +112,11 @@ impl Settings {
             max_time: args.max_seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()),
             solver_name: solving.solver,
             method: method(solving, args.perturbation)?,
-            backend: backend(solving, &args.material.named())?,
+            backend: if stepwise {
+                Backend::new(BackendName::Cpu, None)?
+            } else {
+                backend(solving, &args.material.named())?
+            },
             precisions: [solving.precision_name(false), solving.precision_name(true)],
             tolerance: solving.tolerance,
             time_step,
@@ -151,6 +173,46 @@ impl Settings {
             (SolverName::Dynamics, _) => None,
         }
     }
+}
+
+/// Whether `--sequence` or `--contact` is asked for; what goes with neither is refused.
+fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
+    let solving = &args.solving;
+    let asked = [("--sequence", args.contact.sequence.is_some()), ("--contact", args.contact.keeps_apart())];
+    let Some((option, _)) = asked.iter().find(|(_, given)| *given) else { return Ok(false) };
+    if solving.solver != SolverName::Relax {
+        return Err(format!("--solver {}: it has no {option}; expected relax", solving.solver.name()));
+    }
+    if solving.backend == BackendName::Gpu {
+        return Err(format!("--backend gpu: {option} runs on the processor; expected auto or cpu"));
+    }
+    if args.contact.keeps_apart() && solving.precision() != Precision::F64 {
+        return Err("--precision mixed: contact needs f64; expected f64 with --contact".to_owned());
+    }
+    Ok(true)
+}
+
+/// Contact as it is asked for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AskedContact {
+    /// In radii.
+    gap: Option<f64>,
+    /// In the file's unit.
+    thickness: Option<f64>,
+}
+
+impl AskedContact {
+    /// That of a sheet, whose file has a unit.
+    pub(crate) fn of(self, model: &Model) -> Contact {
+        let thick = |thickness| Contact::thick(thickness / model.normalisation.radius);
+        let contact = self.thickness.map_or_else(Contact::default, thick);
+        Contact { gap: self.gap.unwrap_or(contact.gap), ..contact }
+    }
+}
+
+fn contact(args: &FoldArgs) -> Option<AskedContact> {
+    let asked = AskedContact { gap: args.contact.contact_gap, thickness: args.contact.thickness };
+    args.contact.keeps_apart().then_some(asked)
 }
 
 /// The material of a solver: the paper's motion has the paper's springs.

@@ -38,8 +38,10 @@
 //! | [`model`] | [`Model`]: beams, creases and corner angles, scaled to radius 1, with a [`Material`] |
 //! | [`forces`] | the formulas: energies, forces and second derivatives, one kind of spring a file |
 //! | [`scene`] | [`Scene`]: target angles, supports, loads, forces of one's own |
+//! | [`sequence`] | folding step by step: which creases fold when |
 //! | [`solve`] | [`Simulation`], which can be stepped and steered; the drivers [`Relax`], [`Dynamics`] and `Newton`; many sheets at once |
 //! | `analysis` | structures of bars and hinges: supports, loads, paths through snap-through (feature `analysis`) |
+//! | [`contact`] | where paper goes through paper |
 //! | [`measure`] | strain, angle errors, distance between states, warnings of scenes that go wrong |
 //! | [`export`] | FOLD, OBJ and STL |
 //! | [`error`], [`ids`] | errors and warnings that name a place; typed indices |
@@ -59,6 +61,7 @@
 
 #[cfg(feature = "analysis")]
 pub mod analysis;
+pub mod contact;
 pub mod csr;
 pub mod error;
 pub mod export;
@@ -75,6 +78,7 @@ mod parallel;
 pub mod pattern;
 pub mod rigid;
 pub mod scene;
+pub mod sequence;
 pub mod solve;
 #[doc(hidden)]
 pub mod twins;

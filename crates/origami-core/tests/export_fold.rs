@@ -56,6 +56,7 @@ fn square() -> CreasePattern {
 
 fn pose(pattern: &CreasePattern, percent: f64, degrees: f64) -> Pose {
     Pose {
+        step: None,
         percent: Some(percent),
         positions: pattern.vertices.iter().map(|p| DVec3::new(p.x, p.y, p.x * percent / 100.0)).collect(),
         fold_angles: pattern.edges.iter().map(|edge| edge.fold_angle.map(|_| degrees.to_radians())).collect(),

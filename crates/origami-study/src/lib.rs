@@ -3,7 +3,8 @@
 //! A study runs cases and collects its rows in a [`Study`]: tables, plots and the text between them, which
 //! [`Study::write`] makes files of (CSV, JSON, SVG, Markdown). [`accuracy::study`] measures the distance of each solver from
 //! the equilibrium against the time that it took; [`stability::study`] finds the longest time step that holds and compares
-//! what each solver claims with a reference; [`flat::study`] folds patterns to their flat-folded states.
+//! what each solver claims with a reference; [`flat::study`] folds patterns to their flat-folded states; [`contact::study`] tells where sheets go
+//! through themselves, and what keeping them from it costs.
 //!
 //! ```no_run
 //! use origami_core::generate::BirdBase;
@@ -24,6 +25,7 @@
 #![forbid(unsafe_code)]
 
 pub mod accuracy;
+pub mod contact;
 pub mod flat;
 mod gpu_choice;
 mod options;

@@ -9,7 +9,7 @@ use origami::solve::{DEFAULT_MAX_STEPS, DEFAULT_TOLERANCE, TimeStep};
 
 use super::hold::hold;
 use super::values::{finite, index, positive, share, steps, threads, time_step, whole};
-use super::{MaterialArgs, PictureArgs, ReadingArgs};
+use super::{ContactArgs, MaterialArgs, PictureArgs, ReadingArgs};
 use crate::files::Format;
 
 const EXAMPLES: &str = "\
@@ -20,6 +20,8 @@ Examples:
   origami fold crane.fold --percent 90 -o a.png --strain   A picture of the strain
   origami fold crane.fold --frames 60 --animate film.apng  A film of the folding
   origami fold *.fold -o out/ --format obj --report r.json Many at once, into a folder
+  origami fold crane.fold --percent 60 --check             Which faces go through others
+  origami fold crane.fold --sequence steps.json -o a.fold  One step after the other
   origami fold - -o - < crane.fold > folded.fold           As a filter
   origami fold crane.fold --solver reflect -o flat.fold    The flat-folded state itself, at once
   origami fold crane.fold --percent 60 --from-flat -o a.fold  Opened from there, not closed from the sheet
@@ -59,7 +61,7 @@ pub(crate) struct FoldArgs {
     /// as a film that one can turn; --frames says of how many stages), .png (a picture) or .svg (a picture
     /// of the crease pattern; `origami convert` writes one for plotters). `-` is FOLD on standard output. A folder (one that exists, or a path that ends in `/`, which is
     /// made) takes one file for each input, with the name of the input; several inputs need one.
-    #[arg(short, long = "output", value_name = "OUT", required_unless_present_any = ["report", "png", "sheet", "animate"])]
+    #[arg(short, long = "output", value_name = "OUT", required_unless_present_any = ["report", "png", "sheet", "animate", "check"])]
     pub(crate) outputs: Vec<PathBuf>,
 
     /// A picture of the folded sheet: the same as -o OUT.png
@@ -164,6 +166,10 @@ pub(crate) struct FoldArgs {
     /// The paper.
     #[command(flatten)]
     pub(crate) material: MaterialArgs,
+
+    /// In which order, and whether paper goes through paper.
+    #[command(flatten)]
+    pub(crate) contact: ContactArgs,
 
     /// How pictures look.
     #[command(flatten)]

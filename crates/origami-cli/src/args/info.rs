@@ -12,6 +12,7 @@ Examples:
   origami info crane.fold
   origami info crane.fold --json | jq .model.time_step.paper
   origami fold crane.fold -o - --quiet | origami info -
+  origami info film.fold --check
 
 Exit codes: 0 the pattern can be folded, 1 it cannot.";
 
@@ -29,6 +30,13 @@ pub(crate) struct InfoArgs {
     /// Which frame holds the pattern: 0 is the key frame [default: the first with vertex positions]
     #[arg(long, value_name = "N", value_parser = index)]
     pub(crate) frame: Option<usize>,
+
+    /// Tell which frames have paper that goes through paper, and which faces cross
+    ///
+    /// The test is exact, on the coordinates as the file has them. What touches does not cross: frames that lie flat in one
+    /// plane have no crossing.
+    #[arg(long)]
+    pub(crate) check: bool,
 
     /// As JSON; docs/REPORT.md has the keys
     #[arg(long)]

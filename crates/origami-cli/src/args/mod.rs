@@ -2,6 +2,7 @@
 
 mod adapters;
 mod analyse;
+mod contact;
 mod convert;
 mod design;
 mod fold;
@@ -26,6 +27,7 @@ pub(crate) use adapters::AdaptersArgs;
 pub(crate) use analyse::AnalyseArgs;
 #[cfg(feature = "analysis")]
 pub(crate) use analyse::{Analysis, BucklingArgs, EquilibriaArgs, ModesArgs, PathArgs, StiffnessArgs, SubjectArgs};
+pub(crate) use contact::{ContactArgs, SequenceSource};
 pub(crate) use convert::ConvertArgs;
 #[cfg(feature = "formats")]
 pub(crate) use convert::LinesName;

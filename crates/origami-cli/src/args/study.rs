@@ -17,6 +17,7 @@ Examples:
   origami study accuracy --backend gpu -o out              On a GPU too
   origami study stability -o out                           What holds on stiff and extreme scenes
   origami study flat *.fold -o out                         Which fold flat, and how near
+  origami study contact -o out                             What goes through what, and what contact costs
 
 Exit codes:
   0  done; what a solver did not hold is a row of the tables, not an error
@@ -33,7 +34,7 @@ pub(crate) struct StudyArgs {
     #[arg(value_enum, value_name = "STUDY")]
     pub(crate) study: StudyName,
 
-    /// Of accuracy and flat: patterns in place of the shipped scenes
+    /// Of accuracy, flat and contact: patterns in place of the shipped scenes
     ///
     /// Files with crease patterns, `-` for standard input, or names that `origami pattern --list` has; ./NAME is a file in any case.
     #[arg(value_name = "PATTERN")]
@@ -77,6 +78,8 @@ pub(crate) enum StudyName {
     Stability,
     /// Whether patterns that fold flat end in the exact flat-folded state, and at what cost
     Flat,
+    /// Where sheets go through themselves, without contact and with it, and what that costs
+    Contact,
 }
 
 /// Where runs take place.

@@ -8,7 +8,7 @@ use origami::fold::Document;
 use origami::glam::DVec3;
 use origami::ids::TriangleId;
 use origami::model::Model;
-use origami::solve::{Folded, State};
+use origami::solve::{Folded, State, Stop};
 use origami::{CreasePattern, Error, Warning};
 
 use super::{Destination, Format, Target, page};
@@ -20,6 +20,9 @@ use crate::numbers::percent_of;
 const CONVERGED: &str = "origami:converged";
 /// Own key: the estimated distance of the farthest vertex from the equilibrium, in radii of the sheet.
 const DISTANCE: &str = "origami:distance";
+
+/// Own key: whether contact keeps the sheet from its angles.
+const BLOCKED: &str = "origami:blocked";
 
 /// FOLD's key for which face lies upon which.
 const FACE_ORDERS: &str = "faceOrders";
@@ -36,6 +39,8 @@ pub(crate) struct Sheet<'a> {
     pub(crate) model: &'a Model,
     /// The states on the way, the last of them the result.
     pub(crate) states: &'a [Folded],
+    /// Of a sequence the step of each; else empty.
+    pub(crate) steps: &'a [String],
     /// Whether all of them go into files that can hold more than one.
     pub(crate) animated: bool,
     /// What draws it.
@@ -148,11 +153,15 @@ pub(crate) fn whole(
 impl Sheet<'_> {
     /// As a FOLD document that says how far each state is from the equilibrium.
     fn fold(&self) -> Result<Document, Error> {
-        let poses: Vec<Pose> = self.states.iter().map(|folded| Pose::of(self.model, self.pattern, folded)).collect();
+        let mut poses: Vec<Pose> =
+            self.states.iter().map(|folded| Pose::of(self.model, self.pattern, folded)).collect();
+        for (pose, step) in poses.iter_mut().zip(self.steps) {
+            pose.step = Some(step.clone());
+        }
         if self.animated {
             let mut document = self.template.animation(self.pattern, &poses)?;
             // Of an input that was folded itself.
-            document.key_frame.extra.retain(|key, _| key != CONVERGED && key != DISTANCE);
+            document.key_frame.extra.retain(|key, _| key != CONVERGED && key != DISTANCE && key != BLOCKED);
             let orders_at_rest = document.key_frame.extra.contains_key(FACE_ORDERS);
             for (frame, folded) in document.frames.iter_mut().zip(self.states) {
                 self.mark(&mut frame.extra, folded);
@@ -173,6 +182,10 @@ impl Sheet<'_> {
     fn mark(&self, extra: &mut serde_json::Map<String, serde_json::Value>, folded: &Folded) {
         extra.insert(CONVERGED.into(), folded.converged().into());
         extra.insert(DISTANCE.into(), folded.distance.into());
+        extra.shift_remove(BLOCKED);
+        if folded.stop == Stop::Blocked {
+            extra.insert(BLOCKED.into(), true.into());
+        }
         // That of the input was of another state.
         extra.shift_remove(FACE_ORDERS);
         if let Some(orders) = draw::orders(self.model, &folded.state) {

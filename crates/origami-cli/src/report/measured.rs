@@ -1,15 +1,21 @@
 //! What can be said of a state.
 
+use origami::contact::Crossings;
 use origami::measure::{Strain, Summary, angle_error};
 use origami::model::Model;
 use origami::solve::{Folded, Stop};
 use serde::{Deserialize, Serialize};
 
+use super::{ContactFacts, CrossingFacts};
 use crate::numbers::percent_of;
 
 /// How a state was reached and what it is like. Numbers that are not known are null.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Measured {
+    /// Of a sequence the step.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) step: Option<String>,
+    /// Null in a sequence.
     pub(crate) percent: f64,
     pub(crate) time_step: Option<f64>,
     pub(crate) steps: u64,
@@ -26,6 +32,12 @@ pub(crate) struct Measured {
     pub(crate) angle_error_deg: Option<AngleError>,
     pub(crate) tangled: Option<bool>,
     pub(crate) tangled_creases: Option<usize>,
+    /// With `--check`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) crossings: Option<CrossingFacts>,
+    /// With `--contact`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) contact: Option<ContactFacts>,
 }
 
 /// Why a solver stopped.
@@ -39,6 +51,8 @@ pub(crate) enum Ending {
     TimeLimit,
     /// A triangle was crushed to a line.
     Crushed,
+    /// Contact keeps it from its angles.
+    Blocked,
     /// What computes gave up; in a sweep only.
     Failed,
     /// Also what holds of a state that no solver arrived at.
@@ -85,6 +99,7 @@ impl Measured {
         let angles = angle_error(&folded.state);
         let tangled = folded.state.tangled_creases();
         Self {
+            step: None,
             percent: percent_of(folded),
             time_step: Some(folded.time_step),
             steps: folded.steps,
@@ -106,7 +121,15 @@ impl Measured {
             angle_error_deg: Some(AngleError { mean: angles.mean, max: angles.max }),
             tangled: Some(tangled > 0),
             tangled_creases: Some(tangled),
+            crossings: None,
+            contact: None,
         }
+    }
+
+    /// The same with the crossings of the state, if they are asked for.
+    pub(crate) fn checked(self, check: bool, model: &Model, folded: &Folded) -> Self {
+        let crossings = check.then(|| CrossingFacts::new(&Crossings::of(&model.mesh, &folded.state.positions), 1.0));
+        Self { crossings, ..self }
     }
 }
 
@@ -116,6 +139,7 @@ impl From<Stop> for Ending {
             Stop::Converged => Self::Converged,
             Stop::StepsDone => Self::StepsDone,
             Stop::Crushed => Self::Crushed,
+            Stop::Blocked => Self::Blocked,
             // The command line breaks nothing off for another reason.
             Stop::Cancelled => Self::TimeLimit,
             _ => Self::StepLimit,

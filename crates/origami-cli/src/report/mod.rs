@@ -2,6 +2,8 @@
 
 mod adapter;
 mod attitude;
+mod contact;
+mod crossings;
 mod measured;
 mod note;
 mod scene;
@@ -9,6 +11,8 @@ mod sweep;
 
 pub(crate) use adapter::{Adapter, AdapterDetails, By};
 pub(crate) use attitude::attitude;
+pub(crate) use contact::ContactFacts;
+pub(crate) use crossings::CrossingFacts;
 pub(crate) use measured::{Ending, Measured};
 pub(crate) use note::Note;
 pub(crate) use scene::{PaperFacts, SceneFacts};

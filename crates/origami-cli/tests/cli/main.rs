@@ -4,6 +4,7 @@
 mod analyse;
 mod attitude;
 mod batch;
+mod contact;
 mod convert;
 mod dangers;
 mod design;

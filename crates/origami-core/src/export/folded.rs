@@ -11,6 +11,7 @@ use crate::measure::edge_fold_angles;
 use crate::model::Model;
 use crate::pattern::CreasePattern;
 use crate::pattern::keys::{FOLD_ANGLE, PERCENT};
+use crate::sequence::STEP;
 use crate::solve::Folded;
 
 /// What programs write of a folded frame, and a pattern does not have.
@@ -28,6 +29,8 @@ pub struct Pose {
     pub positions: Vec<DVec3>,
     /// The fold angle reached by each edge of the pattern, in radians, valley positive; `None` for boundaries.
     pub fold_angles: Vec<Option<f64>>,
+    /// The step of a sequence that the pose shows; the title of its frame. Files have it as `origami:step`.
+    pub step: Option<String>,
 }
 
 impl Pose {
@@ -38,6 +41,7 @@ impl Pose {
             percent: folded.percent(),
             positions: model.file_positions(pattern, &folded.state.positions),
             fold_angles: edge_fold_angles(model, pattern, &folded.state),
+            step: None,
         }
     }
 }
@@ -71,7 +75,7 @@ impl Template {
         check(pattern, pose)?;
         let mut key_frame = self.frame();
         set_topology(&mut key_frame, pattern);
-        for key in [FOLD_ANGLE, PERCENT] {
+        for key in [FOLD_ANGLE, PERCENT, STEP] {
             key_frame.extra.shift_remove(key);
         }
         let attributes = folded_attributes(&key_frame);
@@ -86,7 +90,7 @@ impl Template {
     pub fn crease_pattern(&self, pattern: &CreasePattern) -> Document {
         let mut key_frame = self.frame();
         set_topology(&mut key_frame, pattern);
-        for key in [PERCENT, CONVERGED, DISTANCE] {
+        for key in [PERCENT, STEP, CONVERGED, DISTANCE] {
             key_frame.extra.shift_remove(key);
         }
         set_rest(&mut key_frame, pattern);
@@ -108,11 +112,11 @@ impl Template {
         let poses = poses.iter().enumerate().map(|(i, pose)| {
             check(pattern, pose)?;
             let mut folded = Frame { parent: Some(0), inherit: true, ..Frame::default() };
-            let title =
-                pose.percent.map_or_else(|| format!("pose {}", i + 1), |percent| format!("{} %", rounded(percent)));
+            let percent = pose.percent.map(|percent| format!("{} %", rounded(percent)));
+            let title = pose.step.clone().or(percent).unwrap_or_else(|| format!("pose {}", i + 1));
             folded.extra.insert("frame_title".into(), title.into());
             folded.extra.insert("frame_attributes".into(), attributes.clone());
-            for key in [FOLD_ANGLE, PERCENT].into_iter().filter(|key| key_frame.extra.contains_key(*key)) {
+            for key in [FOLD_ANGLE, PERCENT, STEP].into_iter().filter(|key| key_frame.extra.contains_key(*key)) {
                 // Without its own this frame would inherit that of the crease pattern.
                 folded.extra.insert(key.into(), Value::Null);
             }
@@ -161,6 +165,9 @@ fn set_stage(frame: &mut Frame, pattern: &CreasePattern, pose: &Pose) {
     frame.vertices_coords = Some(coordinates(pattern, &pose.positions, Coordinates::spatial));
     if let Some(percent) = pose.percent {
         frame.extra.insert(PERCENT.into(), number(percent));
+    }
+    if let Some(step) = &pose.step {
+        frame.extra.insert(STEP.into(), step.as_str().into());
     }
     set_angles(frame, pattern, |edge| pose.fold_angles[edge]);
 }

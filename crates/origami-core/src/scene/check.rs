@@ -5,7 +5,7 @@ use std::fmt;
 use glam::DVec3;
 
 use super::{Needs, NotFlat, Scene};
-use crate::ids::NodeId;
+use crate::ids::{FaceId, NodeId};
 use crate::model::Model;
 
 /// Why a scene cannot be run.
@@ -84,6 +84,26 @@ pub enum Refusal {
         nodes: usize,
         /// Its creases.
         creases: usize,
+    },
+    /// A setting of contact is no length or stiffness.
+    #[error("contact: {what} {value}; expected a finite number above 0")]
+    Contact {
+        /// `gap` or `stiffness`.
+        what: &'static str,
+        /// What it is.
+        value: f64,
+    },
+    /// The sheet goes through itself before it is folded.
+    #[error("contact: faces {} and {} of the sheet cross where it begins; expected a state without crossings", .faces[0].0, .faces[1].0)]
+    Crossed {
+        /// Two faces that cross.
+        faces: [FaceId; 2],
+    },
+    /// Layers lie in one place before the sheet is folded.
+    #[error("contact: layers have a gap of {gap:.1e} radii where the sheet begins; expected more than 0")]
+    Closed {
+        /// The least gap.
+        gap: f64,
     },
     /// What computes cannot do that.
     #[error("{what}: {backend} cannot compute them; expected {expected}")]

@@ -130,7 +130,12 @@ impl Subject {
         for (configuration, key, note) in states {
             let state = setup.state(model, configuration);
             let fold_angles = edge_fold_angles(model, pattern, &state);
-            poses.push(Pose { percent: None, positions: model.file_positions(pattern, &state.positions), fold_angles });
+            poses.push(Pose {
+                percent: None,
+                positions: model.file_positions(pattern, &state.positions),
+                fold_angles,
+                step: None,
+            });
             notes.push((key, note));
         }
         let mut animation = Template::new(document, *frame, pattern)?.animation(drawn, &poses)?;

@@ -1,6 +1,7 @@
 //! `origami fold`: every input on its own, in parallel; what is told of them comes in their order.
 
 mod one;
+mod order;
 mod queue;
 mod summary;
 

@@ -10,7 +10,9 @@ use origami::model::Model;
 use origami::solve::{Failed, Folded, Progress, Stop, crushed_triangles, fold_path_from};
 use origami::{CreasePattern, Error, Warning, measure};
 
+use super::order::{self, Ended, Order};
 use super::summary::{self, Told};
+use crate::backend::Method;
 use crate::draw::{self, Artist, Subject};
 use crate::exit::Exit;
 use crate::files::{self, Destination, Format, Input, Sheet, Target};
@@ -71,9 +73,12 @@ fn attempt(
     let pattern = CreasePattern::from_document(&document, index)?;
     told.warnings.clone_from(&pattern.warnings);
     let template = Template::new(&document, index, &pattern)?;
+    let order = settings.sequence.as_ref();
+    let order = order.map(|source| Order::read(source, &document, (index, settings.percent))).transpose()?;
     drop(document);
     let model = Model::new(&pattern, &settings.material)?;
-    check_room(settings, &model)?;
+    let stages = order.map(|order| order.stages(&pattern, &model)).transpose()?;
+    check_room(settings.stages().max(stages.as_ref().map_or(0, |s| s.len() * settings.parts as usize)), &model)?;
     for target in targets {
         let states = settings.stages_of(target.format);
         let style = settings.style.as_ref();
@@ -81,7 +86,7 @@ fn attempt(
     }
     seconds.build = watch.lap();
     // A picture of the pattern needs no folding.
-    if !settings.reported && targets.iter().all(|target| target.format == Format::Svg) {
+    if !settings.reported && !settings.check && targets.iter().all(|target| target.format == Format::Svg) {
         draw_pattern(targets, settings, (&template, &pattern, &model))?;
         told.summary = Some(summary::not_folded(input, seconds.read + seconds.build + watch.lap()));
         return Ok((Exit::Done, None));
@@ -100,15 +105,33 @@ fn attempt(
         Err(failed) => return Ok(refused(input, &format!("--from-flat: {failed}"), told)),
     };
     let end = settings.max_time.and_then(|time| Instant::now().checked_add(time));
+    let mut watched = |stage, progress| {
+        observe(Seen::Stage(stage, progress));
+        let over = end.is_some_and(|end| Instant::now() >= end);
+        if over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let (mut steps, mut touches) = (Vec::new(), Vec::new());
     let mut path = |percents: &[f64], before: usize| {
-        fold_path_from(&model, computer.solver.as_ref(), &start, percents, &mut |stage, progress| {
-            observe(Seen::Stage(before + stage, progress));
-            if end.is_some_and(|end| Instant::now() >= end) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
+        let gone = match (&stages, settings.contact.map(|asked| asked.of(&model)), &settings.method) {
+            (Some(stages), contact, Method::Relax(relax)) => {
+                // How many stages there are is not known where the way is told.
+                let mut watched = |_, progress| watched(0, progress);
+                order::in_steps(&model, (relax, contact), &start, (stages, settings.parts), &mut watched)?
             }
-        })
+            (None, Some(contact), Method::Relax(relax)) => {
+                let mut watched = |stage, progress| watched(before + stage, progress);
+                order::in_contact(&model, (relax, contact), &start, percents, &mut watched)?
+            }
+            _ => {
+                let mut watched = |stage, progress| watched(before + stage, progress);
+                return fold_path_from(&model, computer.solver.as_ref(), &start, percents, &mut watched)
+                    .map_err(Ended::from);
+            }
+        };
+        if before == 0 {
+            (steps, touches) = (gone.steps, gone.touches);
+        }
+        Ok(gone.states)
     };
     // What stands beside a contact sheet is folded as if that were not asked for.
     let solved = path(&settings.percents, 0).and_then(|states| {
@@ -134,11 +157,11 @@ fn attempt(
         outputs: Vec::new(),
         seconds,
     };
-    let (mut states, mut stages) = match solved {
+    let (mut states, mut shown) = match solved {
         Ok(solved) => solved,
         Err(failed) => {
-            let Failed::Diverged(diverged) = &failed.failed else {
-                return Ok(refused(input, &failed.to_string(), told));
+            let Failed::Diverged(diverged) = &*failed.failed else {
+                return Ok(refused(input, &failed.message, told));
             };
             run.measured = Measured {
                 percent: failed.percent,
@@ -152,14 +175,17 @@ fn attempt(
             let crushed = measure::crushed(&model, &diverged.last_good.positions);
             run.scene.warnings.extend(crushed.iter().map(Note::from));
             told.warnings.extend(crushed);
-            let held = failed.states.iter().map(|folded| Measured::new(&model, folded));
+            let held = failed
+                .states
+                .iter()
+                .map(|folded| Measured::new(&model, folded).checked(settings.check, &model, folded));
             run.frames = settings.animated.then(|| held.collect());
-            told.errors.push(format!("{input}: {failed}; {}", settings.advice()));
+            told.errors.push(format!("{input}: {}; {}", failed.message, settings.advice()));
             return Ok((Exit::Diverged, Some(Report::Folded(Box::new(run)))));
         }
     };
 
-    let limited = unfinished(&states, stages.as_deref());
+    let limited = unfinished(&states, shown.as_deref());
     let mut at_the_end =
         states.last().map(|folded| measure::folded_warnings(&pattern, &model, folded)).unwrap_or_default();
     if !at_the_end.iter().any(|warning| warning.code == WarningCode::CrushedTriangle) {
@@ -167,10 +193,13 @@ fn attempt(
     }
     run.scene.warnings.extend(at_the_end.iter().map(Note::from));
     told.warnings.extend(at_the_end);
-    let frames: Vec<Measured> = states.iter().map(|folded| Measured::new(&model, folded)).collect();
+    let mut frames: Vec<Measured> =
+        states.iter().map(|folded| Measured::new(&model, folded).checked(settings.check, &model, folded)).collect();
+    frames.iter_mut().zip(&steps).for_each(|(frame, step)| frame.step = Some(step.clone()));
+    frames.iter_mut().zip(&touches).for_each(|(frame, touch)| frame.contact = Some(touch.clone()));
     run.measured = overall(&frames);
     run.frames = settings.animated.then_some(frames);
-    for folded in states.iter_mut().chain(stages.iter_mut().flatten()) {
+    for folded in states.iter_mut().chain(shown.iter_mut().flatten()) {
         folded.state = attitude::turned(&model, &folded.state, settings.hold)?;
     }
     watch.lap();
@@ -186,11 +215,12 @@ fn attempt(
         pattern: &pattern,
         model: &model,
         states: &states,
+        steps: &steps,
         animated: settings.animated,
         artist: &artist,
         fps: settings.film.fps,
     };
-    let contact = Sheet { states: stages.as_deref().unwrap_or(&states), ..sheet };
+    let contact = Sheet { states: shown.as_deref().unwrap_or(&states), ..sheet };
     for target in targets {
         let sheet = if target.format == Format::Contact { &contact } else { &sheet };
         let (outputs, warning) = write(target, sheet, settings, observe)?;
@@ -211,10 +241,18 @@ fn attempt(
     }
 
     told.summary = Some(summary::line(&run));
-    let limited = unfinished(&states, stages.as_deref());
+    let limited = unfinished(&states, shown.as_deref());
     if let Some(folded) = limited {
-        let crushed = !crushed_triangles(&model, &folded.state.positions).is_empty();
-        told.errors.push(summary::not_converged(input, folded, crushed, settings.solver_name, settings.tolerance));
+        let number = states.iter().position(|state| std::ptr::eq(state, folded));
+        let step = number.and_then(|number| steps.get(number));
+        let touch = number.and_then(|number| touches.get(number)).filter(|_| folded.stop == Stop::Blocked);
+        told.errors.push(match touch {
+            Some(touch) => summary::blocked(input, (folded, step), touch),
+            None => {
+                let crushed = !crushed_triangles(&model, &folded.state.positions).is_empty();
+                summary::not_converged(input, (folded, step), crushed, settings.solver_name, settings.tolerance)
+            }
+        });
     }
     let exit = if limited.is_some() { Exit::NotConverged } else { Exit::Done };
     Ok((exit, Some(Report::Folded(Box::new(run)))))
@@ -230,15 +268,15 @@ fn refused(input: &Input, error: &str, told: &mut Told) -> (Exit, Option<Report>
 /// The first state that is not what was asked for.
 fn unfinished<'a>(states: &'a [Folded], stages: Option<&'a [Folded]>) -> Option<&'a Folded> {
     let mut all = states.iter().chain(stages.into_iter().flatten());
-    all.find(|folded| matches!(folded.stop, Stop::StepLimit | Stop::Cancelled | Stop::Crushed))
+    all.find(|folded| matches!(folded.stop, Stop::StepLimit | Stop::Cancelled | Stop::Crushed | Stop::Blocked))
 }
 
 /// Places of vertices that all states of an input may have together: some gigabytes.
 const MOST_PLACES: usize = 1 << 26;
 
 /// Whether memory holds all states.
-fn check_room(settings: &Settings, model: &Model) -> Result<(), Error> {
-    let (stages, nodes) = (settings.stages(), model.node_count().max(1));
+fn check_room(stages: usize, model: &Model) -> Result<(), Error> {
+    let nodes = model.node_count().max(1);
     if stages <= MOST_PLACES / nodes || stages == 1 {
         return Ok(());
     }
@@ -253,8 +291,17 @@ fn draw_pattern(
     (template, pattern, model): (&Template, &CreasePattern, &Model),
 ) -> Result<(), Error> {
     let artist = Artist::new(settings.style.clone().unwrap_or_default(), None);
-    let sheet =
-        Sheet { name: "sheet", template, pattern, model, states: &[], animated: false, artist: &artist, fps: None };
+    let sheet = Sheet {
+        name: "sheet",
+        template,
+        pattern,
+        model,
+        states: &[],
+        steps: &[],
+        animated: false,
+        artist: &artist,
+        fps: None,
+    };
     targets.iter().try_for_each(|target| files::write(target, &sheet).map(|_| ()))
 }
 

@@ -8,7 +8,7 @@ use origami::solve::{Folded, Stop};
 use crate::args::SolverName;
 use crate::files::Input;
 use crate::numbers::{count, duration, grouped, percent_of, plain, share, short};
-use crate::report::{Ending, Run};
+use crate::report::{ContactFacts, Ending, Run};
 
 /// What a person is told about one input.
 #[derive(Default)]
@@ -31,7 +31,10 @@ pub(super) fn not_folded(input: &Input, seconds: f64) -> String {
 /// max 2.1 %, 12 ms`.
 pub(super) fn line(run: &Run) -> String {
     let measured = &run.measured;
-    let mut line = format!("{}: folded to {} %", run.input, plain(measured.percent));
+    let mut line = match &measured.step {
+        Some(step) => format!("{}: folded to the end of `{step}`", run.input),
+        None => format!("{}: folded to {} %", run.input, plain(measured.percent)),
+    };
     if let Some(frames) = &run.frames {
         line += &format!(" in {}", count(frames.len(), "frame", "frames"));
     }
@@ -45,6 +48,7 @@ pub(super) fn line(run: &Run) -> String {
         Ending::Converged if run.solver == SolverName::Reflect.name() => "exact",
         Ending::Converged => "converged",
         Ending::StepsDone => "as many as asked",
+        Ending::Blocked => "blocked",
         Ending::StepLimit | Ending::TimeLimit | Ending::Crushed | Ending::Failed | Ending::Diverged => "not converged",
     };
     line += &match measured.distance {
@@ -56,6 +60,14 @@ pub(super) fn line(run: &Run) -> String {
     }
     if let Some(tangled) = measured.tangled_creases.filter(|n| *n > 0) {
         line += &format!(", tangled ({} folded past 200 degrees)", count(tangled, "crease", "creases"));
+    }
+    let states = run.frames.iter().flatten().filter_map(|frame| frame.crossings.as_ref());
+    let crossed = states.filter(|crossings| crossings.count > 0).count();
+    if crossed > 0 {
+        line += &format!(", {} crossed", count(crossed, "frame", "frames"));
+    }
+    if let Some(crossings) = &measured.crossings {
+        line += &format!(", {crossings}");
     }
     if measured.attempts > 1 {
         line += &format!(", the best of {} attempts", measured.attempts);
@@ -71,35 +83,47 @@ pub(super) fn line(run: &Run) -> String {
     line + &format!(", {}", duration(Duration::from_secs_f64(total)))
 }
 
+/// Contact keeps the sheet from its angles.
+pub(super) fn blocked(input: &Input, (folded, step): (&Folded, Option<&String>), touch: &ContactFacts) -> String {
+    let place = place(folded, step);
+    format!(
+        "{input}: blocked at {place} after {} steps: {touch}; the output says so; another order may help (--sequence)",
+        grouped(folded.steps)
+    )
+}
+
+/// Such as `60 %`.
+fn place(folded: &Folded, step: Option<&String>) -> String {
+    step.map_or_else(|| format!("{} %", plain(percent_of(folded))), |step| format!("the end of `{step}`"))
+}
+
 /// The step limit or that of time came first, or a triangle was crushed, which more steps do not mend.
 pub(super) fn not_converged(
     input: &Input,
-    folded: &Folded,
+    (folded, step): (&Folded, Option<&String>),
     crushed: bool,
     solver: SolverName,
     tolerance: f64,
 ) -> String {
+    let place = place(folded, step);
     if crushed {
         return format!(
-            "{input}: not converged at {} % after {} steps: a triangle is crushed to a line, where forces have no rest; the \
+            "{input}: not converged at {place} after {} steps: a triangle is crushed to a line, where forces have no rest; the \
              output says so",
-            plain(percent_of(folded)),
             grouped(folded.steps),
         );
     }
     if folded.stop == Stop::Cancelled {
         return format!(
-            "{input}: not converged at {} % after {} steps, when its time was over; the output says so; more --max-seconds or \
+            "{input}: not converged at {place} after {} steps, when its time was over; the output says so; more --max-seconds or \
              a larger --tolerance may help",
-            plain(percent_of(folded)),
             grouped(folded.steps),
         );
     }
     if solver == SolverName::Newton {
         return format!(
-            "{input}: not converged at {} % after {} steps: the largest force is {}; the output says so; \
+            "{input}: not converged at {place} after {} steps: the largest force is {}; the output says so; \
              a larger --residual or more --max-steps may help",
-            plain(percent_of(folded)),
             grouped(folded.steps),
             short(folded.residual),
         );
@@ -109,9 +133,8 @@ pub(super) fn not_converged(
         _ => "an unknown distance from the equilibrium".to_owned(),
     };
     format!(
-        "{input}: not converged at {} % after {} steps: {distance}, expected {}; the output says so; \
+        "{input}: not converged at {place} after {} steps: {distance}, expected {}; the output says so; \
          more --max-steps or a larger --tolerance may help",
-        plain(percent_of(folded)),
         grouped(folded.steps),
         short(tolerance),
     )

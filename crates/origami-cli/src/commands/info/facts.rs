@@ -11,7 +11,9 @@ use origami::{Error, Warning};
 use serde::Serialize;
 use serde_json::Value;
 
+use super::check::{self, CheckedFrame};
 use super::flat::FlatFacts;
+use crate::args::InfoArgs;
 use crate::files::{Input, Opened};
 use crate::report::{Note, PaperFacts, SceneFacts};
 use crate::settings::scene_warnings;
@@ -28,6 +30,8 @@ pub(super) struct Facts {
     pub(super) flat: Option<FlatFacts>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) model: Option<ModelFacts>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) check: Option<Vec<CheckedFrame>>,
     pub(super) warnings: Vec<Note>,
     #[serde(skip)]
     pub(super) spoken_warnings: Vec<Warning>,
@@ -109,19 +113,19 @@ pub(super) struct TimeSteps {
 }
 
 impl Facts {
-    pub(super) fn gather(input: &Input, frame: Option<usize>, material: &Material) -> Self {
+    pub(super) fn gather(input: &Input, args: &InfoArgs, material: &Material) -> Self {
         let mut facts = Self { input: input.to_string(), ..Self::default() };
-        if let Err(error) = facts.look(input, frame, material) {
+        if let Err(error) = facts.look(input, args, material) {
             facts.error = Some(input.describe(&error));
         }
         facts.warnings = facts.spoken_warnings.iter().map(Note::from).collect();
         facts
     }
 
-    fn look(&mut self, input: &Input, frame: Option<usize>, material: &Material) -> Result<(), Error> {
+    fn look(&mut self, input: &Input, args: &InfoArgs, material: &Material) -> Result<(), Error> {
         let Opened { document, format } = input.open()?;
         self.spoken_warnings.extend_from_slice(&document.warnings);
-        let index = frame.map_or_else(|| document.pattern_frame(), Ok)?;
+        let index = args.frame.map_or_else(|| document.pattern_frame(), Ok)?;
         let frame = document.frame(index)?;
         self.file = Some(File::of(&document, format, index, &frame));
         let reading = pattern::Reading::joining(document.join);
@@ -137,6 +141,7 @@ impl Facts {
         };
         self.model =
             Some(ModelFacts { scene: SceneFacts::new(&pattern, &model, &model.inventory, &[]), time_step: steps });
+        self.check = args.check.then(|| check::frames(&document, index, &model));
         Ok(())
     }
 }

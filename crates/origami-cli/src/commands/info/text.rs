@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
+use super::check;
 use super::facts::{Facts, File, ModelFacts, Pattern};
 use crate::numbers::{self, count, grouped, short};
 use crate::text::{brief, plain};
@@ -17,6 +18,7 @@ pub(super) fn of(facts: &Facts) -> String {
     let _ = facts.pattern.iter().try_for_each(|part| pattern(&mut text, part));
     let _ = facts.flat.iter().try_for_each(|part| part.tell(&mut text));
     let _ = facts.model.iter().try_for_each(|part| model(&mut text, part));
+    let _ = facts.check.iter().try_for_each(|frames| check::tell(&mut text, frames));
     for warning in &facts.spoken_warnings {
         let _ = writeln!(text, "  warning     {}", plain(&warning.to_string()));
     }

@@ -256,6 +256,7 @@ impl Work<'_> {
         let artist = Artist::default();
         let sheet = Sheet {
             name: "sheet",
+            steps: &[],
             template: self.template,
             pattern: self.pattern,
             model,

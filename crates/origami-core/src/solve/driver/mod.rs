@@ -103,6 +103,8 @@ pub enum Stop {
     /// A triangle has been crushed to a line and stayed so ([`crushed_triangles`](super::crushed_triangles) names it): more
     /// steps would not bring the sheet to rest.
     Crushed,
+    /// Layers press on each other, and keep creases from the angles asked of them: the sheet is at rest, or no longer comes nearer.
+    Blocked,
     /// Who watched it broke it off: the state is the one at that moment.
     Cancelled,
 }

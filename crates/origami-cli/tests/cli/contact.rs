@@ -1,0 +1,122 @@
+//! `--check`: paper that goes through paper.
+
+use serde_json::{Value, json};
+
+use crate::place::Place;
+
+/// Two triangles that share a corner, one through the other, and a frame in which they do not cross.
+const CROSSED: &str = r#"{"file_spec": 1.2,
+    "vertices_coords": [[0,0,0], [1,-1,0], [1,1,0], [0.5,0,-0.5], [0.5,0,0.5]],
+    "edges_vertices": [[0,1], [1,2], [2,0], [0,3], [3,4], [4,0]], "edges_assignment": ["B","B","B","B","B","B"],
+    "faces_vertices": [[0,1,2], [0,3,4]],
+    "file_frames": [
+        {"frame_parent": 0, "frame_inherit": true, "vertices_coords": [[0,0,0], [1,-1,0], [1,1,0], [-1,0,-1], [-1,0,1]]},
+        {"frame_parent": 0, "frame_inherit": true, "vertices_coords": [[0,0,0], [1,-1,0], [1,1,0]]}]}"#;
+
+#[test]
+fn info_tells_which_frames_cross() {
+    let place = Place::new();
+    place.put("crossed.fold", CROSSED);
+    let text = place.run("info crossed.fold --check").succeeds().to_owned();
+    assert!(text.contains("crossings   frame 0: 1 crossing of 1 pair of faces (0 with 1), the deepest 0."), "{text}");
+    assert!(text.contains("crossings   frame 1: no crossing"), "{text}");
+    assert!(text.contains("crossings   frame 2 not tested: the pattern was read with"), "{text}");
+    assert!(!place.run("info crossed.fold").succeeds().contains("crossings"), "only where it is asked for");
+    let facts: Value = serde_json::from_str(place.run("info crossed.fold --check --json").succeeds()).unwrap();
+    assert_eq!(facts["check"][0]["crossings"]["faces"], json!([[0, 1]]));
+    assert_eq!(facts["check"][1]["crossings"], json!({"count": 0, "deepest": 0.0, "pairs": 0, "faces": []}));
+    assert_eq!((&facts["check"][2]["crossings"], &facts["check"][2]["frame"]), (&Value::Null, &json!(2)));
+}
+
+#[test]
+fn fold_tells_it_of_every_state() {
+    let place = Place::new();
+    place.put("crossed.fold", CROSSED);
+    let line = place.run("fold crossed.fold --percent 0 --check --report r.json").succeeds().to_owned();
+    assert!(line.contains(", 1 crossing of 1 pair of faces (0 with 1), the deepest 0."), "{line}");
+    let report = place.json("r.json");
+    assert_eq!((&report["crossings"]["count"], &report["crossings"]["pairs"]), (&json!(1), &json!(1)));
+    let line = place.run("fold square.fold --frames 2 --check --report r.json").succeeds().to_owned();
+    assert!(line.contains(", no crossing"), "{line}");
+    assert!(
+        place.json("r.json")["frames"].as_array().unwrap().iter().all(|frame| frame["crossings"]["count"] == json!(0))
+    );
+    place.run("fold square.fold --report r.json").succeeds();
+    assert_eq!(place.json("r.json").get("crossings"), None, "only where it is asked for");
+}
+
+/// A strip of three panels with a sequence of its own.
+const LETTER: &str = r#"{"file_spec": 1.2, "vertices_coords": [[0,0],[1,0],[2,0],[3,0],[3,2],[2,2],[1,2],[0,2]],
+    "edges_vertices": [[0,1],[1,2],[2,3],[3,4],[4,5],[5,6],[6,7],[7,0],[1,6],[2,5]],
+    "edges_assignment": ["B","B","B","B","B","B","B","B","V","V"],
+    "origami:sequence": {"version": 1, "steps": [
+        {"name": "left", "creases": {"edges": [8]}, "to": 70}, {"name": "right", "creases": {"edges": [9]}, "to": 50}]}}"#;
+
+#[test]
+fn a_sequence_is_folded_step_by_step_and_read_back() {
+    let place = Place::new();
+    place.put("letter.fold", LETTER);
+    let line = place.run("fold letter.fold --sequence own -o a.fold --report r.json").succeeds().to_owned();
+    assert!(line.starts_with("letter.fold: folded to the end of `right` in 2 frames in "), "{line}");
+    let (written, report) = (place.json("a.fold"), place.json("r.json"));
+    let angle = |document: &Value, frame: usize, edge: usize| {
+        document["file_frames"][frame]["edges_foldAngle"][edge].as_f64().unwrap()
+    };
+    for (frame, title, angles) in [(0, "left", [70.0, 0.0]), (1, "right", [70.0, 50.0])] {
+        assert_eq!(written["file_frames"][frame]["frame_title"], title);
+        assert_eq!(
+            (&written["file_frames"][frame]["origami:step"], &report["frames"][frame]["step"]),
+            (&json!(title), &json!(title))
+        );
+        assert!(
+            (angle(&written, frame, 8) - angles[0]).abs() < 0.01
+                && (angle(&written, frame, 9) - angles[1]).abs() < 0.01
+        );
+    }
+    assert_eq!(report["percent"], Value::Null);
+    place.run("fold a.fold --sequence frames -o b.fold --quiet").succeeds();
+    assert!((angle(&place.json("b.fold"), 1, 9) - 50.0).abs() < 0.02);
+    place.put("steps.json", r#"{"version": 1, "steps": [{"creases": {"all": true}, "to": {"percent": 10}}]}"#);
+    place.run("fold letter.fold --sequence steps.json --frames 2 -o c.fold --quiet").succeeds();
+    assert_eq!(place.json("c.fold")["file_frames"][1]["frame_title"], "step 1, 2/2");
+}
+
+#[test]
+fn a_sequence_that_cannot_be_is_refused_with_its_place() {
+    let place = Place::new();
+    place.put("letter.fold", LETTER);
+    place.put("steps.json", r#"{"version": 1, "steps": [{"creases": {"edges": [77]}, "to": 9}]}"#);
+    let none = place.run("fold square.fold --sequence own -o a.fold");
+    none.fails(1, "--sequence own: the file has no sequence");
+    place
+        .run("fold letter.fold --sequence steps.json -o a.fold")
+        .fails(1, "steps.json: origami:sequence.steps[0]: there is no edge 77");
+    place.run("fold letter.fold --sequence own --solver dynamics -o a.fold").fails(1, "--solver dynamics");
+    place.run("fold letter.fold --sequence own --backend gpu -o a.fold").fails(1, "--backend gpu");
+    place.run("fold letter.fold --sequence none.json -o a.fold").fails(1, "none.json");
+}
+
+#[test]
+fn a_letter_is_blocked_at_once_and_closes_in_order() {
+    let place = Place::new();
+    place.put("letter.fold", include_str!("../../../../examples/sequences/letter-fold.fold"));
+    let ran = place.run("fold letter.fold --contact -o a.fold --report r.json");
+    ran.fails(3, "letter.fold: blocked at 100 % after ");
+    assert!(ran.stderr.contains("faces 0 and 2 press hardest"), "{}", ran.stderr);
+    assert_eq!(place.json("a.fold")["origami:blocked"], json!(true));
+    let report = place.json("r.json");
+    assert_eq!((&report["stop"], &report["contact"]["blocked"]), (&json!("blocked"), &json!(true)));
+    assert_eq!(
+        (&report["contact"]["pressing"][0]["faces"], &report["crossings"]["count"]),
+        (&json!([0, 2]), &json!(0))
+    );
+    let first = report["contact"]["first_percent"].as_f64().unwrap();
+    assert!(first > 50.0 && first < 100.0, "{first}");
+    place.run("fold letter.fold --contact --sequence own -o b.fold --report r.json --quiet").succeeds();
+    let report = place.json("r.json");
+    assert_eq!((&report["contact"]["blocked"], &report["crossings"]["count"]), (&json!(false), &json!(0)));
+    assert_eq!(place.json("b.fold")["file_frames"][1].get("origami:blocked"), None);
+    place.run("fold letter.fold --thickness 0.02 --sequence own -o c.fold --quiet").succeeds();
+    place.run("fold letter.fold --contact --solver newton -o d.fold").fails(1, "--solver newton: it has no --contact");
+    place.run("fold letter.fold --contact --precision mixed -o d.fold").fails(1, "--precision mixed");
+}

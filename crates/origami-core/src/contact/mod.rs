@@ -1,0 +1,25 @@
+//! Paper does not go through paper: which faces of a state cross, and what keeps them from it.
+//!
+//! [`Crossings`] is the exact test of a state. Layers that touch do not cross. A sheet that is folded flat to the last bit has
+//! all its layers in one plane: it has no crossing, and nothing in it says which layer is on top.
+//!
+//! [`Contact`] is what [`crate::solve::ContactRelax`] folds with: layers push each other away from a small gap on, and no move
+//! takes anything through anything. `docs/CONTACT.md` in the repository says what that means and what it does not.
+
+mod barrier;
+mod boxes;
+mod crossings;
+mod distance;
+mod layers;
+mod limit;
+mod pairs;
+mod pressing;
+mod settings;
+mod wedge;
+
+pub use crossings::{Crossing, Crossings};
+pub use pressing::Pressing;
+pub use settings::Contact;
+
+pub(crate) use layers::Layers;
+pub(crate) use pressing::pressing;

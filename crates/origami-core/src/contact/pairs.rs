@@ -1,0 +1,145 @@
+//! Which parts of a sheet may touch: a point and a triangle, or two edges, that have no node in common.
+//!
+//! Pairs with a common node are left out: two triangles that share a corner or a side can only meet where a side of one meets
+//! the other with which it has no node in common, so that such a pair has closed its gap before.
+
+use glam::DVec3;
+
+use super::Contact;
+use super::boxes::{Bounds, BoxTree};
+use super::distance::{Nearest, of_edges, of_point_and_triangle};
+use super::wedge::{THICKEST, Wedges};
+use crate::ids::NodeId;
+use crate::mesh::{Mesh, Side};
+
+/// Pairs come no nearer than their gap begins at this share of their distance in the flat sheet: there nothing presses.
+const OF_REST: f64 = 0.9;
+/// Edges whose directions enclose an angle of less sine squared than this are eased out ([`super::barrier::mollifier`]).
+const EASED: f64 = 1e-3;
+
+/// A point and a triangle, or two edges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pair {
+    /// The point and the corners, or the ends of both edges.
+    pub(super) nodes: [NodeId; 4],
+    /// How many of these the first thing has: 1 of a point and a triangle, 2 of two edges.
+    pub(super) split: usize,
+    /// The distance at which it is closed, in radii: 0 of paper without thickness.
+    pub(super) closed: f64,
+    /// The gap from which it pushes, in radii.
+    pub(super) width: f64,
+    /// Of two edges what [`super::barrier::mollifier`] wants.
+    pub(super) eased: f64,
+}
+
+impl Pair {
+    pub(super) fn points(&self, positions: &[DVec3]) -> [DVec3; 4] {
+        self.nodes.map(|n| positions[n.index()])
+    }
+
+    pub(super) fn nearest(&self, points: &[DVec3; 4]) -> Nearest {
+        if self.split == 1 { of_point_and_triangle(points) } else { of_edges(points) }
+    }
+}
+
+/// Finds the pairs of one sheet.
+#[derive(Clone, Debug)]
+pub(super) struct Finder {
+    /// Nodes of triangles.
+    points: Vec<NodeId>,
+    triangles: Vec<[NodeId; 3]>,
+    /// Sides of triangles.
+    edges: Vec<[NodeId; 2]>,
+    rest: Vec<DVec3>,
+    /// The gap of a pair whose distance in the flat sheet is large enough.
+    gap: f64,
+    /// Of paper that has a thickness.
+    wedges: Option<Wedges>,
+    /// The farthest that a pair can be apart and closed, in radii.
+    thickest: f64,
+}
+
+impl Finder {
+    /// That of a sheet with its nodes at `rest`.
+    pub(super) fn new(mesh: &Mesh, rest: &[DVec3], contact: Contact) -> Self {
+        let points = (0..mesh.node_count()).filter(|n| !mesh.triangles_of_node.row(*n).is_empty());
+        let paper = mesh.sides.iter().filter(|side| side.triangles.iter().any(Option::is_some));
+        let paper: Vec<&Side> = paper.collect();
+        let Contact { gap, thickness, .. } = contact;
+        let wedges = (thickness > 0.0).then(|| Wedges::new(mesh, rest, &paper, thickness));
+        Self {
+            points: points.map(NodeId::new).collect(),
+            triangles: mesh.triangles.clone(),
+            edges: paper.iter().map(|side| side.nodes).collect(),
+            rest: rest.to_vec(),
+            gap,
+            wedges,
+            thickest: THICKEST * thickness,
+        }
+    }
+
+    /// The median length of the edges at rest.
+    pub(super) fn median_edge(&self) -> f64 {
+        let at = |n: NodeId| self.rest[n.index()];
+        let mut lengths: Vec<f64> = self.edges.iter().map(|[a, b]| (at(*b) - at(*a)).length()).collect();
+        lengths.sort_unstable_by(f64::total_cmp);
+        lengths.get(lengths.len() / 2).copied().unwrap_or(1.0)
+    }
+
+    /// Replaces `pairs` by all whose gap at `positions` is below `reach`, with that gap in `gaps`; always in the same order.
+    pub(super) fn find(&self, positions: &[DVec3], reach: f64, pairs: &mut Vec<Pair>, gaps: &mut Vec<f64>) {
+        pairs.clear();
+        gaps.clear();
+        let at = |n: &NodeId| positions[n.index()];
+        let farthest = reach + self.thickest;
+        let mut take = |nodes: [NodeId; 4], split: usize, numbers: [usize; 2]| {
+            let mut pair = Pair { nodes, split, closed: 0.0, width: 0.0, eased: 0.0 };
+            let distance = pair.nearest(&pair.points(positions)).apart.length();
+            if distance < farthest && self.measure(&mut pair, numbers) && distance - pair.closed < reach {
+                pairs.push(pair);
+                gaps.push(distance - pair.closed);
+            }
+        };
+        let boxes: Vec<Bounds> = self.triangles.iter().map(|nodes| Bounds::around(nodes.iter().map(at))).collect();
+        let tree = BoxTree::new(&boxes);
+        for &point in &self.points {
+            let own = Bounds::around([at(&point)]).grown(farthest);
+            tree.near(&own, |triangle| {
+                let [a, b, c] = self.triangles[triangle];
+                if boxes[triangle].meets(&own) && ![a, b, c].contains(&point) {
+                    take([point, a, b, c], 1, [0, triangle]);
+                }
+            });
+        }
+        let boxes: Vec<Bounds> = self.edges.iter().map(|nodes| Bounds::around(nodes.iter().map(at))).collect();
+        let tree = BoxTree::new(&boxes);
+        for (first, &[p, q]) in self.edges.iter().enumerate() {
+            let own = boxes[first].grown(farthest);
+            tree.near(&own, |second| {
+                let [r, s] = self.edges[second];
+                if second > first && boxes[second].meets(&own) && ![r, s].contains(&p) && ![r, s].contains(&q) {
+                    take([p, q, r, s], 2, [first, second]);
+                }
+            });
+        }
+    }
+
+    /// The gap and the thickness of a pair: less where it is narrow in the flat sheet. `numbers` are those of the triangle, or
+    /// of both edges. False for one that touches there, such as the two lips of a cut: nothing can be said of it.
+    fn measure(&self, pair: &mut Pair, numbers: [usize; 2]) -> bool {
+        let points = pair.points(&self.rest);
+        let at_rest = pair.nearest(&points).apart.length();
+        let thickness = self.wedges.as_ref().map_or(0.0, |wedges| match pair.split {
+            1 => wedges.of_point(pair.nodes[0], numbers[1], &points),
+            _ => wedges.of_edges(numbers, &points),
+        });
+        let scale = (OF_REST * at_rest / (thickness + self.gap)).min(1.0);
+        pair.width = scale * self.gap;
+        pair.closed = scale * thickness;
+        if pair.split == 2 {
+            let [p, q, r, s] = points;
+            pair.eased = EASED * (q - p).length_squared() * (s - r).length_squared();
+        }
+        pair.width > 0.0
+    }
+}

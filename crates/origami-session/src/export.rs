@@ -48,6 +48,7 @@ pub(crate) fn file(
                 percent: Some(percent),
                 positions: model.file_positions(pattern, &state.positions),
                 fold_angles: edge_fold_angles(model, pattern, &state),
+                step: None,
             };
             let mut document = sheet.template.folded_form(pattern, &pose)?;
             let extra = &mut document.key_frame.extra;

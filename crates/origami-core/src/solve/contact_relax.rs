@@ -402,6 +402,7 @@ impl<'a> Run<'a> {
             residual: largest(&all),
             distance: self.settling.distance(),
             attempts: 1,
+            factorisations: 0,
             saddles: 0,
             reactions: forces.reactions().to_vec(),
             state,

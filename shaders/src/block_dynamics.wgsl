@@ -1,7 +1,5 @@
 // A step of dynamics, a block each workgroup: the forces from the positions, then the nodes after the step.
 
-var<workgroup> goes_on: u32;
-
 // The clock has gone on before: this step began where the ramp was then.
 fn ramp_share(instance: u32) -> f32 {
     let length = control[instance].ramp_length;
@@ -14,16 +12,10 @@ fn ramp_share(instance: u32) -> f32 {
 @compute @workgroup_size(WORKGROUP)
 fn block_dynamics(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let instance = group.y;
-    if (local == 0u) {
-        goes_on = u32(control[instance].stop == RUNNING);
-    }
-    if (workgroupUniformLoad(&goes_on) == 0u) {
+    let step = control[instance].step;
+    if (!open_with_springs(instance, group.x, step - 1u, local)) {
         return;
     }
-    open_block(group.x);
-    let step = control[instance].step;
-    read_positions(instance, step - 1u, local);
-    springs_of_block(instance, local);
     let there = nodes_after(instance, step);
     for (var n = local; n < block.own; n += WORKGROUP) {
         let i = in_sheet(n);

@@ -3,20 +3,12 @@
 
 @group(0) @binding(5) var<storage, read_write> slots: array<vec4<f32>>;
 
-var<workgroup> goes_on: u32;
-
 @compute @workgroup_size(WORKGROUP)
 fn block_forces(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let instance = group.y;
-    if (local == 0u) {
-        goes_on = u32(control[instance].stop == RUNNING);
-    }
-    if (workgroupUniformLoad(&goes_on) == 0u) {
+    if (!open_with_springs(instance, group.x, control[instance].step, local)) {
         return;
     }
-    open_block(group.x);
-    read_positions(instance, control[instance].step, local);
-    springs_of_block(instance, local);
     for (var n = local; n < block.own; n += WORKGROUP) {
         let node = in_sheet(n);
         let force = felt(nodes[nodes_now + node].held, summed_force(n) + load_on(instance, node));

@@ -21,3 +21,19 @@ fn read_positions(instance: u32, step: u32, local: u32) {
     }
     workgroupBarrier();
 }
+
+var<workgroup> goes_on: u32;
+
+// Whether the instance runs; if it does, block `b` is open with the forces of its springs, as the nodes are after so many steps.
+fn open_with_springs(instance: u32, b: u32, step: u32, local: u32) -> bool {
+    if (local == 0u) {
+        goes_on = u32(control[instance].stop == RUNNING);
+    }
+    if (workgroupUniformLoad(&goes_on) == 0u) {
+        return false;
+    }
+    open_block(b);
+    read_positions(instance, step, local);
+    springs_of_block(instance, local);
+    return true;
+}

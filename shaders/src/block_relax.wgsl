@@ -2,8 +2,6 @@
 
 @group(0) @binding(5) var<storage, read_write> slots: array<vec4<f32>>;
 
-var<workgroup> goes_on: u32;
-
 // The sum of `own` over the workgroup, in fixed order. It takes the place of the forces.
 fn sum_over_block(local: u32, own: vec3<f32>) -> vec3<f32> {
     workgroupBarrier();
@@ -21,15 +19,9 @@ fn sum_over_block(local: u32, own: vec3<f32>) -> vec3<f32> {
 @compute @workgroup_size(WORKGROUP)
 fn block_relax(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let instance = group.y;
-    if (local == 0u) {
-        goes_on = u32(control[instance].stop == RUNNING);
-    }
-    if (workgroupUniformLoad(&goes_on) == 0u) {
+    if (!open_with_springs(instance, group.x, control[instance].step, local)) {
         return;
     }
-    open_block(group.x);
-    read_positions(instance, control[instance].step, local);
-    springs_of_block(instance, local);
     var own = vec4<f32>(0.0);
     for (var n = local; n < block.own; n += WORKGROUP) {
         let i = in_sheet(n);

@@ -59,7 +59,7 @@ impl<S: GpuMethod> OnGpu<S> {
     /// What a step moves and what the buffers take on the way that `model` goes, counted: nothing is asked of the GPU.
     pub fn traffic(&self, model: &Model) -> Traffic {
         let purpose = self.purpose([model].into_iter());
-        Traffic::of(model, Purpose { dispatch: self.way(model), ..purpose })
+        Traffic::of(model, purpose, self.gpu.abilities())
     }
 
     /// What [`Solver::session`] gives, by its own name.

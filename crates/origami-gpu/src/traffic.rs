@@ -61,32 +61,32 @@ impl Traffic {
     /// Of a relaxation by passes.
     #[must_use]
     pub fn of_relax(model: &Model) -> Self {
-        Self::of(model, relax(model, Dispatch::Passes))
+        Self::of(model, relax(model, Dispatch::Passes), PLAIN)
     }
 
     /// Of dynamics by passes.
     #[must_use]
     pub fn of_dynamics(model: &Model, method: &Dynamics) -> Self {
-        Self::of(model, dynamics(model, method, Dispatch::Passes))
+        Self::of(model, dynamics(model, method, Dispatch::Passes), PLAIN)
     }
 
     /// Of a relaxation by blocks; by passes where there can be no blocks.
     #[must_use]
     pub fn of_relax_in_blocks(model: &Model) -> Self {
-        Self::of(model, relax(model, Dispatch::Blocks))
+        Self::of(model, relax(model, Dispatch::Blocks), PLAIN)
     }
 
     /// Of dynamics by blocks; by passes where there can be no blocks.
     #[must_use]
     pub fn of_dynamics_in_blocks(model: &Model, method: &Dynamics) -> Self {
-        Self::of(model, dynamics(model, method, Dispatch::Blocks))
+        Self::of(model, dynamics(model, method, Dispatch::Blocks), PLAIN)
     }
 
-    pub(crate) fn of(model: &Model, purpose: Purpose) -> Self {
+    /// On an adapter with these abilities.
+    pub(crate) fn of(model: &Model, purpose: Purpose, abilities: Abilities) -> Self {
         let safe = purpose.safe;
         let arrays = SheetArrays::new(model);
         let plain = purpose.variant(&arrays, Some(model.material));
-        let abilities = Abilities { hardware: false, workgroup_storage: MEMORY };
         let route = Route::new(&arrays, purpose, abilities);
         let variant = route.variant(&plain);
         let buffers = sizes(&arrays, &variant, &route).into_iter();
@@ -152,6 +152,9 @@ impl Traffic {
         bandwidth / self.bytes_per_node_and_step()
     }
 }
+
+/// What every adapter has.
+const PLAIN: Abilities = Abilities { hardware: false, workgroup_storage: MEMORY };
 
 fn relax(model: &Model, dispatch: Dispatch) -> Purpose {
     Method::Relax(&Relax::default()).purpose(dispatch, [model].into_iter())

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use origami::study::{Axis, Mark, Plot, Scale, Series};
 
+use crate::kept::{Run, distinct};
 use crate::results::Row;
-use crate::tables::{Run, distinct};
 
 /// Draws the plots of a run into a folder, and names them; none where there are no figures for it.
 ///

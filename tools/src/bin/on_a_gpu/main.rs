@@ -11,9 +11,11 @@
 //! so, and plots into the folder PLOTS.
 #![expect(clippy::print_stdout, reason = "it tells how far it has come")]
 
+mod document;
 mod ensembles;
 mod figures;
 mod folded;
+mod kept;
 mod looks;
 mod machine;
 mod memory;
@@ -42,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["section", name, folder, seconds, ref options @ ..] => {
             section::work(name, &asked(folder, options)?, seconds.parse()?)
         }
-        ["tables", document, plots, ref folders @ ..] => tables::write(document.as_ref(), plots.as_ref(), folders),
+        ["tables", document, plots, ref folders @ ..] => document::write(document.as_ref(), plots.as_ref(), folders),
         _ => Err(USAGE.into()),
     }
 }

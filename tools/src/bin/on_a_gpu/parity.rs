@@ -1,11 +1,12 @@
 //! Whether the GPU comes to what the processor comes to in f64, and to the same bits when it is asked again.
 
 use std::error::Error;
+use std::ops::ControlFlow;
 
 use origami::glam::DVec3;
 use origami::measure::align;
 use origami::scene::Scene;
-use origami::solve::unwatched;
+use origami::solve::{Session, Stop};
 use origami::{Dynamics, Folded, Model, Relax, Solver, State};
 
 use crate::place::Place;
@@ -34,22 +35,22 @@ pub(crate) fn measure(place: &Place) -> Result<Ended, Box<dyn Error>> {
         };
 
         let dynamics = Dynamics { steps: Some(STEPS), ..Dynamics::default() };
-        let reference = fold(&dynamics, &model)?;
+        let Some(reference) = fold(place, &dynamics, &model)? else { return Ok(Ended::Cut) };
         for (by, way) in ways(&place.gpu, &dynamics, &model) {
             let solver = on(&place.gpu, dynamics.clone(), way);
-            let [first, second] = twice(&*solver, &model)?;
+            let Some([first, second]) = twice(place, &*solver, &model)? else { return Ok(Ended::Cut) };
             let far = farthest(&first.state.positions, &reference.state.positions);
             row("dynamics", &by, "distance from the CPU after 300 steps, radii", far)?;
             row("dynamics", &by, "same bits", yes(same_bits(&first.state, &second.state)))?;
         }
 
         let relax = Relax::default();
-        let reference = fold(&relax, &model)?;
+        let Some(reference) = fold(place, &relax, &model)? else { return Ok(Ended::Cut) };
         row("relax", "CPU", "converged", yes(reference.converged()))?;
         row("relax", "CPU", "evaluations", reference.steps as f64)?;
         for (by, way) in ways(&place.gpu, &relax, &model) {
             let solver = on(&place.gpu, relax.clone(), way);
-            let [first, second] = twice(&*solver, &model)?;
+            let Some([first, second]) = twice(place, &*solver, &model)? else { return Ok(Ended::Cut) };
             let far = align(&first.state.positions, &reference.state.positions).max;
             row("relax", &by, "distance from the CPU's equilibrium, radii", far)?;
             row("relax", &by, "converged", yes(first.converged()))?;
@@ -60,15 +61,23 @@ pub(crate) fn measure(place: &Place) -> Result<Ended, Box<dyn Error>> {
     Ok(Ended::Whole)
 }
 
-fn fold(solver: &dyn Solver, model: &Model) -> Result<Folded, Box<dyn Error>> {
-    Ok(solver.fold(model, &State::at_rest(model), &Scene::percent(PERCENT), &mut unwatched)?)
+/// `None` where the time is over before it has ended.
+fn fold(place: &Place, solver: &dyn Solver, model: &Model) -> Result<Option<Folded>, Box<dyn Error>> {
+    let mut session = solver.session(model);
+    once(place, &mut *session, model)
 }
 
 /// Two runs that share their pipelines and nothing else.
-fn twice(solver: &dyn Solver, model: &Model) -> Result<[Folded; 2], Box<dyn Error>> {
+fn twice(place: &Place, solver: &dyn Solver, model: &Model) -> Result<Option<[Folded; 2]>, Box<dyn Error>> {
     let mut session = solver.session(model);
-    let mut fold = || session.fold(&State::at_rest(model), &Scene::percent(PERCENT), &mut unwatched);
-    Ok([fold()?, fold()?])
+    let Some(first) = once(place, &mut *session, model)? else { return Ok(None) };
+    Ok(once(place, &mut *session, model)?.map(|second| [first, second]))
+}
+
+fn once(place: &Place, session: &mut dyn Session, model: &Model) -> Result<Option<Folded>, Box<dyn Error>> {
+    let mut until_over = |_| if place.is_over() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let folded = session.fold(&State::at_rest(model), &Scene::percent(PERCENT), &mut until_over)?;
+    Ok(Some(folded).filter(|folded| folded.stop != Stop::Cancelled))
 }
 
 fn yes(is: bool) -> f64 {

@@ -1,137 +1,22 @@
-//! Tables of what runs wrote, for BENCHMARKS.md.
+//! Tables of what a run wrote.
 
 use std::collections::BTreeSet;
-use std::error::Error;
 use std::fmt::Write;
-use std::path::Path;
 
-use serde_json::Value;
+use crate::kept::{Run, distinct};
+use crate::results::Row;
 
-use crate::results::{self, Row};
-use crate::{figures, machine, run};
-
-/// Between these lines of a document stands what is written here.
-const BEGIN: &str = "<!-- on-a-gpu: what follows is written by the command that it names -->\n";
-const END: &str = "<!-- on-a-gpu ends -->\n";
-
-/// Puts a part for each folder into the document at `path`, in place of those that it has, and their plots into the folder
-/// `plots`.
+/// All tables, one after the other.
 ///
 /// # Errors
-/// If a folder was not written by a run, the document has no place for them, or something cannot be written.
-pub(crate) fn write(path: &Path, plots: &Path, folders: &[&str]) -> Result<(), Box<dyn Error>> {
-    let text = std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let mut parts = String::new();
-    for folder in folders {
-        let run = Run::read(folder.as_ref())?;
-        let drawn = figures::draw(&run, plots)?;
-        // A document names its plots from where it lies.
-        let beside = path.parent().unwrap_or_else(|| Path::new(""));
-        let links = drawn
-            .iter()
-            .map(|plot| plot.strip_prefix(beside).unwrap_or(plot).display().to_string())
-            .collect::<Vec<_>>();
-        parts += &part(&run, &links)?;
-    }
-    if parts.is_empty() {
-        parts += "\nNo run has been kept yet.\n";
-    }
-    let whole = replaced(&text, &parts).ok_or(format!("{}: has no line {BEGIN}", path.display()))?;
-    Ok(std::fs::write(path, whole)?)
-}
-
-/// The text with other words between the two lines; `None` where it lacks them.
-fn replaced(text: &str, parts: &str) -> Option<String> {
-    let (before, rest) = text.split_once(BEGIN)?;
-    let (_, after) = rest.split_once(END)?;
-    Some(format!("{before}{BEGIN}{parts}\n{END}{after}"))
-}
-
-/// What a run wrote.
-pub(crate) struct Run {
-    /// The folder's own name.
-    pub(crate) name: String,
-    folder: String,
-    pub(crate) rows: Vec<Row>,
-    machine: Value,
-    run: Value,
-}
-
-impl Run {
-    fn read(folder: &Path) -> Result<Self, Box<dyn Error>> {
-        let json = |name: &str| -> Result<Value, Box<dyn Error>> {
-            let path = folder.join(name);
-            let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-            Ok(serde_json::from_str(&text)?)
-        };
-        let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        let rows = results::read(folder)?;
-        let folder = folder.display().to_string();
-        let (machine, run) = (json(machine::FILE)?, json(run::FILE)?);
-        Ok(Self { name, rows, machine, run, folder })
-    }
-
-    /// `name (interface)`, and whether it is software.
-    pub(crate) fn adapter(&self) -> String {
-        let of = |key: &str| self.machine["adapter"][key].as_str().unwrap_or("?");
-        let software = if of("kind") == "software" { ", a software adapter" } else { "" };
-        format!("{} ({}){software}", of("name"), of("backend"))
-    }
-
-    pub(crate) fn of<'r>(&'r self, section: &'r str, quantity: &'r str) -> impl Iterator<Item = &'r Row> {
-        self.rows.iter().filter(move |row| row.section == section && row.quantity == quantity)
-    }
-
-    /// The figure of one row like `like`.
-    fn value(&self, section: &str, quantity: &str, like: impl Fn(&Row) -> bool) -> Option<f64> {
-        self.of(section, quantity).find(|row| like(row)).map(|row| row.value)
-    }
-}
-
-/// Each once, in the order in which they come.
-pub(crate) fn distinct<'r>(of: impl Iterator<Item = &'r str>) -> Vec<&'r str> {
-    let mut seen = BTreeSet::new();
-    of.filter(|name| seen.insert(*name)).collect()
-}
-
-fn part(run: &Run, plots: &[String]) -> Result<String, std::fmt::Error> {
-    let mut text = String::new();
-    let machine = |key: &str| run.machine[key].as_str().unwrap_or("?").to_owned();
-    let driver = run.machine["adapter"]["driver"].as_str().unwrap_or("?");
-    writeln!(text, "\n### On {}\n", run.adapter())?;
-    writeln!(
-        text,
-        "Driver {driver}; {}, {} threads, {} of memory, load {} before. `./on-a-gpu run` at commit {} wrote `{}`, of which `cargo run \
-         --release -p origami-tools --bin on_a_gpu -- tables` made this.",
-        machine("processor"),
-        run.machine["threads"],
-        machine("memory"),
-        machine("load").split(' ').next().unwrap_or("?"),
-        run.run["commit"].as_str().unwrap_or("?"),
-        run.folder
-    )?;
-    if run.run["rehearsal"] == true {
-        writeln!(text, "\nA rehearsal, which tells that everything runs, and nothing of speed.")?;
-    }
-    for section in run.run["sections"].as_array().into_iter().flatten() {
-        match section["ended"].as_str() {
-            Some(run::WHOLE) => {}
-            ended => writeln!(
-                text,
-                "\nThe section `{}` ended otherwise than whole: {}.",
-                section["section"].as_str().unwrap_or("?"),
-                ended.unwrap_or("?")
-            )?,
-        }
-    }
-    tests(run, &mut text)?;
-    parity(run, &mut text)?;
-    speed(run, &mut text)?;
-    ensembles(run, &mut text)?;
-    folded(run, &mut text)?;
-    others(run, &mut text)?;
-    plots.iter().try_for_each(|plot| writeln!(text, "\n![{}]({plot})", run.adapter()))?;
-    Ok(text)
+/// None, where they are written into a string.
+pub(crate) fn write(run: &Run, text: &mut String) -> std::fmt::Result {
+    tests(run, text)?;
+    parity(run, text)?;
+    speed(run, text)?;
+    ensembles(run, text)?;
+    folded(run, text)?;
+    others(run, text)
 }
 
 fn head(text: &mut String, above: &str, columns: &[String]) -> std::fmt::Result {
@@ -389,67 +274,6 @@ fn others(run: &Run, text: &mut String) -> std::fmt::Result {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn only_what_stands_between_the_lines_is_replaced() {
-        let text = format!("above\n{BEGIN}old\n{END}below\n");
-        let new = replaced(&text, "\nnew\n").expect("it has both lines");
-        assert_eq!(new, format!("above\n{BEGIN}\nnew\n\n{END}below\n"));
-        assert_eq!(replaced(&new, "\nnew\n"), Some(new.clone()), "again the same");
-        assert_eq!(replaced("above\n", "new"), None);
-    }
-
-    /// A run on a software adapter of two sizes, with a sheet that was not folded in its time.
-    fn run() -> Run {
-        let row = |section: &str, vertices, by: &str, quantity: &str, value| Row {
-            section: section.into(),
-            sheet: "miura".into(),
-            vertices,
-            sheets: 1,
-            solver: "relax".into(),
-            by: by.into(),
-            quantity: quantity.into(),
-            value,
-        };
-        let (gpu, cpu, each) = ("GPU, passes", "CPU, f64, one thread", "seconds a step");
-        let rows = vec![
-            row("speed", 100, gpu, each, 2e-5),
-            row("speed", 100, cpu, each, 4e-6),
-            row("speed", 10_000, gpu, each, 5e-5),
-            row("speed", 10_000, cpu, each, 5e-4),
-            row("speed", 10_000, gpu, "bytes a step", 8e6),
-            row("memory", 0, "GPU", "bytes read and written in a second by copies", 2e12),
-            row("folded", 10_000, gpu, "seconds until it is folded", 0.25),
-            row("folded", 10_000, gpu, "evaluations", 1234.0),
-            row("folded", 10_000, cpu, "seconds without being folded", 60.0),
-        ];
-        let machine = serde_json::json!({
-            "adapter": { "name": "llvmpipe", "backend": "Vulkan", "kind": "software", "driver": "Mesa" },
-            "processor": "Any 1000", "threads": 16, "memory": "64 kB", "load": "0.5 1 2",
-        });
-        let run = serde_json::json!({ "commit": "abc", "sections": [
-            { "section": "speed", "ended": run::WHOLE }, { "section": "folded", "ended": run::OUT_OF_TIME },
-        ] });
-        Run { name: "some".into(), folder: "docs/gpu/some".into(), rows, machine, run }
-    }
-
-    #[test]
-    fn a_part_has_every_figure_and_tells_what_was_cut() {
-        let text = part(&run(), &["gpu/some-relax.svg".into()]).expect("written");
-        for line in [
-            "### On llvmpipe (Vulkan), a software adapter",
-            "The section `folded` ended otherwise than whole: out of time.",
-            "| 100 | 20.0 µs | 4.00 µs | 5.00e6 |",
-            "| 10000 | 50.0 µs | 500 µs | 2.00e8 |",
-            "- `relax`, CPU, f64, one thread: the GPU gains from 10000 vertices on.",
-            "| 10000 | relax | GPU, passes | 800 | 4.00 µs | 12.50 |",
-            "| 10000 | 250 ms, 1234 | more than 60.0 s, - |",
-            "![llvmpipe (Vulkan), a software adapter](gpu/some-relax.svg)",
-        ] {
-            assert!(text.lines().any(|written| written == line), "{line}\n{text}");
-        }
-        assert!(!text.contains("`speed`"), "what is whole is not told of");
-    }
 
     #[test]
     fn the_gpu_gains_from_where_it_never_loses_again() {

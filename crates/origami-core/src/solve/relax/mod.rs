@@ -74,8 +74,8 @@ pub struct Relax {
     /// GPUs have none. Default 0.4.
     pub near: f64,
     /// After how many evaluations at the final targets, in default ramps, Newton's method takes over (feature `newton`; not
-    /// while a triangle is crushed): a sheet that takes longer crawls. Its claim is checked as any other. Smaller: earlier;
-    /// `None`: never. GPUs do not hand over. Default 4.
+    /// while a triangle is crushed, nor of more than 20 000 nodes): a sheet that takes longer crawls. Its claim is checked as
+    /// any other. Smaller: earlier; `None`: never. GPUs do not hand over. Default 4.
     pub hand_over: Option<u32>,
     /// The numbers in which the processor computes: [`Precision::Mixed`] for speed, where a tolerance of 1e-6 or more will
     /// do. GPUs have numbers of their own. Default f64.

@@ -12,7 +12,7 @@ const FLAT: f64 = 1e-3;
 /// Largest distance from the exact state, in radii.
 const EXACT: f64 = 1e-4;
 
-/// The percentage and the material, as text.
+/// The percentage and the material without its springs against collapse, as text.
 type Kind = String;
 
 /// Prints a line for each percentage and material.
@@ -35,8 +35,8 @@ pub(crate) fn print(before: &str, after: &str) -> Result<(), Box<dyn Error>> {
 fn read(path: &str) -> Result<BTreeMap<(Kind, String), Fold>, Box<dyn Error>> {
     let folds: Vec<Fold> = csv::Reader::from_path(path)?.into_deserialize().collect::<Result<_, _>>()?;
     let kind = |f: &Fold| {
-        let Fold { percent, ea, k_fold, k_facet, k_face, collapse, .. } = f;
-        format!("{percent} %, EA {ea}, k {k_fold} {k_facet} {k_face} {collapse}")
+        let Fold { percent, ea, k_fold, k_facet, k_face, .. } = f;
+        format!("{percent} %, EA {ea}, k {k_fold} {k_facet} {k_face}")
     };
     Ok(folds.into_iter().map(|fold| ((kind(&fold), fold.pattern.clone()), fold)).collect())
 }

@@ -1,5 +1,6 @@
 //! The reference: Newton's method on the exact energy, to a residual at which nothing is left to converge.
 
+pub(super) mod approach;
 mod descent;
 mod factor;
 mod matrix;
@@ -19,7 +20,6 @@ use super::{Diverged, Failed, Folded, Progress, Relax, Session, Solver, State, S
 use crate::ids::NodeId;
 use crate::model::{Inventory, Model};
 use crate::scene::{Held, Needs, Reaction, Scene, Targets};
-use crate::twins::settle_decide::STILL;
 
 /// Largest share of the way that one increment may be, and the least.
 const LONGEST_INCREMENT: f64 = 0.25;
@@ -114,7 +114,7 @@ impl Newton {
         let scene = scene.clone().with_targets(Targets::at_rest());
         let mut start = start.clone();
         scene.place_supports(&mut start.positions);
-        let mut descent = descent(model, &start, &scene)?;
+        let mut descent = descent_in(model, &start, &scene)?;
         descent.begin(self.max_steps);
         Ok(self.settle(&mut descent, start, &mut |_, _| ControlFlow::Continue(())))
     }
@@ -124,7 +124,7 @@ impl Newton {
     /// # Errors
     /// [`Failed::Diverged`] where `start` is not finite; [`Failed::Backend`] where the factors do not fit into memory.
     pub fn climb(&self, model: &Model, start: &State, scene: &Scene) -> Result<Equilibrium, Failed> {
-        let mut descent = descent(model, start, scene)?;
+        let mut descent = descent_in(model, start, scene)?;
         descent.begin(self.max_steps);
         let targets = scene.targets.of(model).map_err(|refusal| Failed::refused(refusal, start))?;
         Ok(self.rise(&mut descent, model, start, targets, &mut unwatched))
@@ -273,7 +273,7 @@ impl Solver for Newton {
         scene: &Scene,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
-        self.solve(&mut descent(model, start, scene)?, model, start, scene, observe)
+        self.solve(&mut descent_in(model, start, scene)?, model, start, scene, observe)
     }
 
     fn session<'a>(&'a self, model: &'a Model) -> Box<dyn Session + 'a> {
@@ -302,7 +302,7 @@ impl Session for Kept<'_> {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Folded, Failed> {
         let kept = self.descent.take().filter(|kept| kept.scene.acts_as(scene));
-        let made = kept.map_or_else(|| descent(self.model, start, scene), Ok)?;
+        let made = kept.map_or_else(|| descent_in(self.model, start, scene), Ok)?;
         self.newton.solve(self.descent.insert(made), self.model, start, scene, observe)
     }
 }
@@ -315,35 +315,7 @@ pub struct OutOfMemory {
     pub rows: usize,
 }
 
-/// Where a relaxation that crawls would end up.
-pub(super) struct Approach {
-    pub(super) state: State,
-    /// Whether it was broken off by who watched it.
-    pub(super) cancelled: bool,
-    pub(super) factorisations: u32,
-    pub(super) evaluations: u64,
-}
-
-/// Downhill from `state` until a step is next to nothing for the tolerance, in radii, or so many factorisations or evaluations
-/// have been made; `None` where a force of the scene's own or the memory does not allow it.
-pub(super) fn approach(
-    (model, scene): (&Model, &Scene),
-    state: &State,
-    (tolerance, most_factorisations, most_evaluations): (f64, u32, u64),
-    observe: &mut dyn FnMut(u64) -> ControlFlow<()>,
-) -> Option<Approach> {
-    let mut descent = descent(model, state, scene).ok()?;
-    descent.begin(most_evaluations);
-    let (mut state, mut cancelled) = (state.clone(), false);
-    descent.descend(&mut state, 0.0, most_factorisations, &mut |evaluations, moved| {
-        cancelled = observe(evaluations).is_break();
-        if cancelled || moved < STILL * tolerance { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    });
-    let Descent { factorisations, evaluations, .. } = descent;
-    Some(Approach { state, cancelled, factorisations, evaluations })
-}
-
-fn descent<'m>(model: &'m Model, start: &State, scene: &Scene) -> Result<Descent<'m>, Failed> {
+fn descent_in<'m>(model: &'m Model, start: &State, scene: &Scene) -> Result<Descent<'m>, Failed> {
     let needs = [Needs::Energy, Needs::Hessian];
     let checked = scene.check(model).and_then(|()| scene.check_balance(model));
     let checked =

@@ -69,13 +69,13 @@ pub struct Relax {
     /// A jump and a way that begins elsewhere are not softened, nor is a sheet under loads or forces of one's own. `None`: as
     /// stiff as its material all the way. Default: [`Softening::default`].
     pub softening: Option<Softening>,
-    /// Sides shorter than this share of their mean join their ends to a cluster, which has a mass of its own for what it does
-    /// as one; the sheet need not drag along what a short side makes heavy. Larger: more nodes are in clusters; 0: none.
-    /// GPUs have none. Default 0.4.
+    /// Of patterns that are folded flat sides shorter than this share of their mean join their ends to a cluster, which has a
+    /// mass of its own for what it does as one; the sheet need not drag along what a short side makes heavy. Larger: more
+    /// nodes are in clusters; 0: none. GPUs have none. Default 0.4.
     pub near: f64,
     /// After how many evaluations at the final targets, in default ramps, Newton's method takes over (feature `newton`; not
-    /// while a triangle is crushed): a sheet that takes longer crawls. Its claim is checked as any other. Smaller: earlier;
-    /// `None`: never. GPUs do not hand over. Default 4.
+    /// while a triangle is crushed, nor of more than 20 000 nodes): a sheet that takes longer crawls. Its claim is checked as
+    /// any other. Smaller: earlier; `None`: never. GPUs do not hand over. Default 4.
     pub hand_over: Option<u32>,
     /// The numbers in which the processor computes: [`Precision::Mixed`] for speed, where a tolerance of 1e-6 or more will
     /// do. GPUs have numbers of their own. Default f64.
@@ -324,7 +324,9 @@ impl Relax {
     ) -> Stepper<R> {
         let ramp = Ramp::new(&start.targets, targets, ramp);
         let softening = softening.filter(|_| !ramp.done());
-        let mover = Mover::Relax(Minimiser::new(model, self.near));
+        // Chains of short sides along curved creases move as one onto saddles.
+        let near = if folds_flat(model) { self.near } else { 0.0 };
+        let mover = Mover::Relax(Minimiser::new(model, near));
         let mut stepper = Stepper::new((model, start), scene, (positions, &[]), (mover, ramp), self.tolerance, threads);
         stepper.soften(model, softening);
         stepper

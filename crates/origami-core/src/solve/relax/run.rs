@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use super::super::attempt::{Attempt, better, or_crushed, steps_of};
 #[cfg(feature = "newton")]
-use super::super::newton::{Approach, approach};
+use super::super::newton::approach::{Approach, approach};
 use super::super::saddle::leave;
 use super::super::state::lost_creases;
 use super::super::stepper::Limit;
@@ -18,6 +18,8 @@ use crate::scene::Scene;
 const LOST_RAMPS: u64 = 2;
 /// Ramps for which an attempt goes on at the final targets with a triangle crushed: one may open again.
 const CRUSHED_RAMPS: u64 = 10;
+/// Sheets of more nodes are not handed over: their factors would take gigabytes.
+const LARGEST: usize = 20_000;
 /// Factorisations after which Newton's method gives a sheet back to FIRE.
 #[cfg(feature = "newton")]
 const FACTORISATIONS: u32 = 60;
@@ -34,6 +36,12 @@ impl Run<'_> {
     /// Found anew for each attempt: of a large sheet they need much memory.
     fn targets(&self) -> Result<Vec<f64>, Failed> {
         self.scene.targets.of(self.model).map_err(|refusal| Failed::refused(refusal, self.start))
+    }
+
+    /// After how many ramps Newton's method takes over, if it does.
+    fn hands_over(&self) -> Option<u32> {
+        let may = cfg!(feature = "newton") && self.relax.steps.is_none() && self.model.node_count() <= LARGEST;
+        self.relax.hand_over.filter(|_| may)
     }
 
     /// Settles, and leaves the saddles that it settles on.
@@ -116,8 +124,8 @@ impl Run<'_> {
         let Folded { steps, distance, stop, .. } = kept;
         let mut watch = |step| observe(Progress { step: steps + step, ramp: 1.0, distance });
         let limits = (relax.tolerance, FACTORISATIONS, limit.saturating_sub(steps));
-        let may = relax.hand_over.is_some();
-        match may.then(|| approach((model, scene), &kept.state, limits, &mut watch)).flatten() {
+        let approached = self.hands_over().and_then(|_| approach((model, scene), &kept.state, limits, &mut watch));
+        match approached {
             None => kept,
             Some(Approach { state, cancelled, factorisations, evaluations }) => Folded {
                 state,
@@ -150,8 +158,7 @@ impl Run<'_> {
         let ramps = |count: u64| count * u64::from(default_ramp(model));
         let crushed = relax.steps.is_none().then(|| ramps(CRUSHED_RAMPS));
         let lost = relax.retries().then(|| ramps(LOST_RAMPS));
-        let crawls = relax.hand_over.filter(|_| cfg!(feature = "newton") && relax.steps.is_none());
-        let crawls = crawls.map(|count| ramps(u64::from(count)));
+        let crawls = self.hands_over().map(|count| ramps(u64::from(count)));
         let limit = Limit { steps: attempt.limit, all: relax.steps.is_some(), crushed, lost, crawls };
         let stop = stepper.run((model, start), limit, observe)?;
         let gave_up = stop == Stop::StepLimit && stepper.steps < attempt.limit;

@@ -22,6 +22,7 @@ class App {
         this.selected = new Set();
         this.tool = "grab";
         this.pending = {};
+        this.sent = new Set();
         this.catalog = [];
         this.files = [];
         this.engine = engine;
@@ -60,9 +61,11 @@ class App {
         this.engine.ask(request, body);
     }
 
-    /** Asks at the next picture; of several requests of one kind the last. */
+    /** Asks at once, but once for each picture; of several requests of one kind the last. */
     soon(kind, request) {
-        this.pending[kind] = request;
+        if (this.sent.has(kind)) this.pending[kind] = request;
+        else this.ask(request);
+        this.sent.add(kind);
     }
 
     /** Something is about to be changed that can be undone. */
@@ -73,9 +76,10 @@ class App {
     }
 
     tick() {
+        this.sent.clear();
         for (const [kind, request] of Object.entries(this.pending)) {
-            this.ask(request);
             delete this.pending[kind];
+            this.soon(kind, request);
         }
         if (this.model && !this.asked && !document.hidden) {
             this.asked = true;

@@ -249,6 +249,30 @@ const tests = {
         stop();
     },
 
+    async "does the same for long and keeps nothing"() {
+        // SOAK=3600 is an hour.
+        const until = performance.now() + 1000 * Number(process.env.SOAK ?? 4);
+        const { address, server, stop } = await view(join(patterns, "miura.fold"));
+        const memory = async () => Number(/VmRSS:\s+(\d+)/.exec(await readFile(`/proc/${server.pid}/status`, "utf8"))[1]) / 1024;
+        let first;
+        for (let round = 0; round < 3 || performance.now() < until; round++) {
+            const page = await open(context, address);
+            for (const percent of [70, -40, 20]) {
+                await slide(page, percent);
+                await page.evaluate(() => (origami.grab(5), origami.ask({ do: "material", k_fold: 2 }), origami.drag(5, [0, 0, 0.5])));
+                await page.waitForTimeout(150);
+                await page.evaluate(() => (origami.release(5), origami.ask({ do: "undo" }), origami.ask({ do: "save" })));
+            }
+            await page.waitForFunction(() => origami.last.frame > 5);
+            assert.deepEqual(page.wrong, []);
+            await page.close();
+            first ??= await memory();
+        }
+        const grown = (await memory()) - first;
+        assert.ok(grown < 60, `${grown} MB more than after the first round`);
+        stop();
+    },
+
     async "is whole at 360 pixels, in the dark, and by keys alone"() {
         const { address, stop } = await view(join(patterns, "square-twist.fold"));
         const narrow = await chrome.newContext({ viewport: { width: 360, height: 740 }, colorScheme: "dark", hasTouch: true });

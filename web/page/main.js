@@ -22,12 +22,13 @@ class App {
         this.selected = new Set();
         this.tool = "grab";
         this.pending = {};
+        this.sent = new Set();
         this.catalog = [];
         this.files = [];
         this.engine = engine;
         this.live = engine.live;
         this.range = [engine.from ?? -100, engine.to ?? 100];
-        this.showMaterial = material($("material-list"), () => this.mark(), (values) => this.soon("material", { do: "material", ...values }));
+        this.showMaterial = material($("material-list"), () => this.mark("material"), (values) => this.soon("material", { do: "material", ...values }));
         this.buttons();
         hand(this);
         keys(this);
@@ -60,22 +61,25 @@ class App {
         this.engine.ask(request, body);
     }
 
-    /** Asks at the next picture; of several requests of one kind the last. */
+    /** Asks at once, but once for each picture; of several requests of one kind the last. */
     soon(kind, request) {
-        this.pending[kind] = request;
+        if (this.sent.has(kind)) this.pending[kind] = request;
+        else this.ask(request);
+        this.sent.add(kind);
     }
 
-    /** Something is about to be changed that can be undone. */
-    mark() {
+    /** Something is about to be changed that can be undone; of several changes of one kind without a pause the first counts. */
+    mark(kind) {
         const now = performance.now();
-        if (this.live && now - (this.marked ?? -Infinity) > PAUSE) this.ask({ do: "mark" });
-        this.marked = now;
+        if (this.live && (kind !== this.marked?.kind || now - this.marked.at > PAUSE)) this.ask({ do: "mark" });
+        this.marked = { kind, at: now };
     }
 
     tick() {
+        this.sent.clear();
         for (const [kind, request] of Object.entries(this.pending)) {
-            this.ask(request);
             delete this.pending[kind];
+            this.soon(kind, request);
         }
         if (this.model && !this.asked && !document.hidden) {
             this.asked = true;
@@ -177,7 +181,7 @@ class App {
     fold(percent, slowly) {
         percent = Math.max(Number($("percent").min), Math.min(Number($("percent").max), percent));
         if (!this.wishes || !Number.isFinite(percent)) return;
-        this.mark();
+        this.mark("fold");
         this.wishes.percent = percent;
         $("hint").hidden = true;
         this.soon("fold", slowly ? { do: "fold", percent, slowly } : { do: "fold", percent });
@@ -218,7 +222,7 @@ class App {
     }
 
     grab(node) {
-        this.mark();
+        this.mark({});
         this.ask({ do: "grab", node });
         this.wishes.pins[node] = [0, 0, 0];
         $("hint").hidden = true;
@@ -242,7 +246,7 @@ class App {
     /** A click on a vertex pins it, or lets it go. */
     toggle(node) {
         if (this.wishes.pins[node]) {
-            this.mark();
+            this.mark({});
             this.release(node);
         } else this.grab(node);
     }
@@ -270,7 +274,7 @@ class App {
 
     own(own) {
         if (!this.selected.size) return;
-        this.mark();
+        this.mark("own");
         const edges = [...this.selected];
         for (const edge of edges) own === null ? delete this.wishes.creases[edge] : (this.wishes.creases[edge] = own);
         this.soon("crease", { do: "crease", edges, own });
@@ -297,7 +301,7 @@ class App {
     }
 
     solver() {
-        this.mark();
+        this.mark("solver");
         const [name, integrator, precision] = ["name", "integrator", "precision"].map((key) => $(`solver-${key}`).value);
         this.wishes.solver = { name, integrator, precision, tolerance: Number($("solver-tolerance").value) };
         this.ask({ do: "solver", ...this.wishes.solver });
@@ -426,8 +430,8 @@ class App {
         click("own-back", () => this.own(null));
         click("alike", () => this.alike());
         click("choose-none", () => this.choose());
-        click("unpin", () => (this.mark(), Object.keys(this.wishes.pins).forEach((node) => this.release(Number(node)))));
-        click("material-default", () => (this.mark(), this.soon("material", { do: "material", ...this.usual }), this.showMaterial(this.usual)));
+        click("unpin", () => (this.mark({}), Object.keys(this.wishes.pins).forEach((node) => this.release(Number(node)))));
+        click("material-default", () => (this.mark("defaults"), this.soon("material", { do: "material", ...this.usual }), this.showMaterial(this.usual)));
         $("file").onchange = () => (this.openFile($("file").files[0]), ($("file").value = ""));
         $("percent").oninput = () => this.fold(Number($("percent").value));
         $("percent-number").onchange = () => this.fold(Number($("percent-number").value));

@@ -5,7 +5,7 @@ import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import net from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { browser, nodeAt, open, run, saved, settled, slide, stopAll, view } from "./program.mjs";
+import { browser, nodeAt, open, publish, run, saved, settled, slide, stopAll, view } from "./program.mjs";
 
 const patterns = join(process.env.ORIGAMI_ROOT, "examples/patterns/");
 const broken = join(process.env.ORIGAMI_ROOT, "tests/broken/");
@@ -13,7 +13,7 @@ const shots = process.argv[2];
 if (shots) await mkdir(shots, { recursive: true });
 const scratch = await mkdtemp(join(tmpdir(), "origami-view-"));
 const chrome = await browser();
-const context = await chrome.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true });
+const context = await chrome.newContext({ viewport: { width: 1000, height: 640 }, acceptDownloads: true });
 
 /** The largest distance between the vertices of two FOLD files once one is laid on the other: pairs of distances tell. */
 function apart(one, other) {
@@ -226,7 +226,7 @@ const tests = {
         assert.equal(await status(pathname, host), "200");
         assert.equal(await status(pathname, `example.org:${port}`), "421");
         assert.equal(await status("/", host), "404");
-        assert.equal(await status(`${pathname.slice(0, -2)}0/`, host), "404");
+        assert.equal(await status(`${pathname.slice(0, -2)}${pathname.at(-2) === "0" ? 1 : 0}/`, host), "404");
         assert.equal(await status(`${pathname}socket`, host), "403");
         assert.equal(await status(`${pathname}../../Cargo.toml`, host), "404");
         // Tabs that are closed in the middle of it, one of them after a flood that it never hears the answers of.
@@ -249,6 +249,30 @@ const tests = {
         stop();
     },
 
+    async "does the same for long and keeps nothing"() {
+        // SOAK=3600 is an hour.
+        const until = performance.now() + 1000 * Number(process.env.SOAK ?? 4);
+        const { address, server, stop } = await view(join(patterns, "miura.fold"));
+        const memory = async () => Number(/VmRSS:\s+(\d+)/.exec(await readFile(`/proc/${server.pid}/status`, "utf8"))[1]) / 1024;
+        let first;
+        for (let round = 0; round < 3 || performance.now() < until; round++) {
+            const page = await open(context, address);
+            for (const percent of [70, -40, 20]) {
+                await slide(page, percent);
+                await page.evaluate(() => (origami.grab(5), origami.ask({ do: "material", k_fold: 2 }), origami.drag(5, [0, 0, 0.5])));
+                await page.waitForTimeout(150);
+                await page.evaluate(() => (origami.release(5), origami.ask({ do: "undo" }), origami.ask({ do: "save" })));
+            }
+            await page.waitForFunction(() => origami.last.frame > 5);
+            assert.deepEqual(page.wrong, []);
+            await page.close();
+            first ??= await memory();
+        }
+        const grown = (await memory()) - first;
+        assert.ok(grown < 60, `${grown} MB more than after the first round`);
+        stop();
+    },
+
     async "is whole at 360 pixels, in the dark, and by keys alone"() {
         const { address, stop } = await view(join(patterns, "square-twist.fold"));
         const narrow = await chrome.newContext({ viewport: { width: 360, height: 740 }, colorScheme: "dark", hasTouch: true });
@@ -267,6 +291,37 @@ const tests = {
         await narrow.close();
         stop();
     },
+};
+
+// The folder that `web/build` has made.
+if (process.env.SITE) tests["folds in a browser alone, without a program"] = async () => {
+    const { address, stop } = await publish(process.env.SITE);
+    const page = await open(context, address);
+    await page.keyboard.press("Escape");
+    await page.setInputFiles("#file", join(patterns, "miura.fold"));
+    await page.waitForFunction(() => origami.model.name === "miura.fold");
+    await slide(page, 60);
+    await settled(page, 60);
+    await shot(page, "alone");
+    const mine = await saved(page, "fold");
+    await run("fold", join(patterns, "miura.fold"), "--percent", "60", "-o", join(scratch, "b.fold"));
+    const distance = apart(mine.bytes.toString(), await readFile(join(scratch, "b.fold"), "utf8"));
+    assert.ok(distance < 2e-3, `${distance}`);
+    const [x, y] = await nodeAt(page, 0);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 40, y + 30, { steps: 5 });
+    await page.waitForFunction(() => Object.keys(origami.wishes.pins).length === 1);
+    await page.mouse.up();
+    await page.keyboard.press("]");
+    await page.fill("#own-angle", "20");
+    await page.press("#own-angle", "Enter");
+    await page.waitForFunction(() => Object.keys(origami.wishes.creases).length === 1 && origami.last.settled);
+    await page.setInputFiles("#file", join(broken, "edge-out-of-range.fold"));
+    await page.waitForFunction(() => document.getElementById("toast").textContent.includes("edge-out-of-range.fold: "));
+    assert.deepEqual(page.wrong, []);
+    await page.close();
+    stop();
 };
 
 const only = process.env.ONLY;

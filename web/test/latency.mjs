@@ -1,4 +1,5 @@
 // How soon the page answers the slider: ORIGAMI=program node latency.mjs [address of a published folder]
+// DRAW=no leaves out the drawing, which a machine without a GPU does on the cores that fold.
 // Vertices, then milliseconds from the slider to the first picture that has moved, and pictures in a second while it moves.
 
 import { browser, open, slide, view } from "./program.mjs";
@@ -8,7 +9,10 @@ const chrome = await browser();
 for (const side of site ? [32] : [32, 100]) {
     const started = site ? { address: site, stop() {} } : await view();
     const page = await open(chrome, started.address);
-    await page.evaluate(() => document.getElementById("gallery").close());
+    await page.evaluate((draws) => {
+        document.getElementById("gallery").close();
+        if (!draws) origami.stage.draw = () => false;
+    }, process.env.DRAW !== "no");
     await page.evaluate((side) => origami.generate("miura", [["columns", side - 1], ["rows", side - 1]]), side);
     await page.waitForFunction((side) => origami.model.nodes === side * side && origami.last.settled, side, { timeout: 120_000 });
     const times = [];

@@ -1,6 +1,9 @@
 // The program under test, a browser, and a page in it.
 
 import { spawn } from "node:child_process";
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { basename, join } from "node:path";
 import { createInterface } from "node:readline";
 import { chromium } from "playwright-core";
 
@@ -21,6 +24,20 @@ export async function view(...args) {
         server.once("exit", (code) => reject(new Error(`origami view ended with ${code}`)));
     });
     return { address, server, stop: () => server.kill() };
+}
+
+/** Serves a folder as any static server does. */
+export function publish(folder) {
+    const kinds = { html: "text/html", js: "text/javascript", css: "text/css", svg: "image/svg+xml", wasm: "application/wasm" };
+    const server = createServer((request, answer) => {
+        const name = request.url.slice(1).split(/[?#]/)[0] || "index.html";
+        readFile(join(folder, basename(name))).then(
+            (bytes) => answer.writeHead(200, { "Content-Type": kinds[name.split(".").pop()] }).end(bytes),
+            () => answer.writeHead(404).end(),
+        );
+    });
+    return new Promise((resolve) => server.listen(0, "127.0.0.1", () =>
+        resolve({ address: `http://127.0.0.1:${server.address().port}/`, stop: () => server.close() })));
 }
 
 /** Runs the program to its end. */

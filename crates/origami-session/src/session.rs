@@ -140,7 +140,8 @@ impl Session {
     /// The picture that was asked for, where there is something new to see.
     pub fn take_frame(&mut self) -> Option<Packet> {
         let map = self.wanted?;
-        let open = self.open.as_mut().filter(|open| open.changed)?;
+        // What was just asked is seen once the sheet has taken a step towards it.
+        let open = self.open.as_mut().filter(|open| open.changed && !(open.asked && open.has_work()))?;
         let (report, state) = (open.report(), open.mover.state());
         let Ok(state) = state else { return None };
         self.wanted = None;

@@ -89,8 +89,14 @@ fn what_was_just_asked_has_not_settled() {
     settle(&mut session);
     session.answer(Request::Fold { percent: 100.0 }, &[]);
     session.answer(Request::Frame { map: Map::None }, &[]);
-    let frame = session.take_frame().expect("something was asked");
+    assert!(session.take_frame().is_none(), "it has not moved yet");
+    session.advance(1);
+    let frame = session.take_frame().expect("it has moved");
     assert_eq!(head(&frame)["settled"], false);
+    // What does not run is seen at once.
+    session.answer(Request::Run { on: false }, &[]);
+    session.answer(Request::Frame { map: Map::None }, &[]);
+    assert!(session.take_frame().is_some());
 }
 
 #[test]

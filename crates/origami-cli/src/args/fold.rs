@@ -32,7 +32,8 @@ Exit codes:
   0  done and converged, or the asked number of steps done
   1  bad input or usage
   2  the state diverged; no geometry is written and older files stay as they were
-  3  the step limit, or that of time, came before convergence; the output is written and says so
+  3  the step limit, or that of time, came before convergence, or contact blocks the sheet; the
+     output is written and says so
   Of several inputs the most severe counts, in the order 1, 2, 3, 0; none stops the others.";
 
 /// The environment variable that stands in for `--adapter`.

@@ -17,7 +17,7 @@ Examples:
   origami study accuracy --backend gpu -o out              On a GPU too
   origami study stability -o out                           What holds on stiff and extreme scenes
   origami study flat *.fold -o out                         Which fold flat, and how near
-  origami study contact -o out                             What goes through what, and what contact costs
+  origami study contact -o out                             What goes through what, at what cost
 
 Exit codes:
   0  done; what a solver did not hold is a row of the tables, not an error

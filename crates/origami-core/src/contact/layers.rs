@@ -4,9 +4,8 @@ use glam::DVec3;
 
 use super::Contact;
 use super::barrier::{Barrier, mollifier};
-use super::distance::Nearest;
 use super::limit::{Shares, limit_pair};
-use super::pairs::{Finder, Pair};
+use super::pairs::{Finder, Near, Pair};
 use crate::mesh::Mesh;
 use crate::parallel;
 
@@ -20,18 +19,6 @@ const WITHIN: f64 = 1.2;
 const NEARER: f64 = 0.7;
 /// Pairs that one task measures at least.
 const TASK: usize = 512;
-
-/// A pair, measured at the present positions.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Near {
-    /// Its place in the list.
-    pub(super) pair: u32,
-    pub(super) weights: [f64; 4],
-    /// From the second thing to the first, of length 1.
-    pub(super) normal: DVec3,
-    /// The distance but for what is closed.
-    pub(super) gap: f64,
-}
 
 /// The layers of one sheet.
 #[derive(Clone, Debug)]
@@ -104,7 +91,7 @@ impl Layers {
         self.wanted.clear();
         self.wanted.extend((0..).zip(&self.due).filter(|(_, due)| **due < bound).map(|(pair, _)| pair));
         let Self { pairs, wanted, measured, .. } = self;
-        let one = |pair: &u32| near(*pair, &pairs[*pair as usize], positions);
+        let one = |pair: &u32| pairs[*pair as usize].near(*pair, positions);
         if self.shared && wanted.len() >= 2 * TASK {
             parallel::map_into(wanted, TASK, one, measured);
         } else {
@@ -195,7 +182,7 @@ impl Layers {
             let near = match known.peek().filter(|near| near.pair == number) {
                 Some(near) => **near,
                 None => {
-                    let own = near(number, pair, positions);
+                    let own = pair.near(number, positions);
                     *due = own.gap + 2.0 * self.way;
                     own
                 }
@@ -213,13 +200,6 @@ impl Layers {
     pub(crate) fn moved(&mut self, largest: f64) {
         self.way += largest;
     }
-}
-
-fn near(number: u32, pair: &Pair, positions: &[DVec3]) -> Near {
-    let Nearest { weights, apart } = pair.nearest(&pair.points(positions));
-    let distance = apart.length();
-    let normal = if distance > 0.0 { apart / distance } else { DVec3::ZERO };
-    Near { pair: number, weights, normal, gap: distance - pair.closed }
 }
 
 fn eased(pair: &Pair, positions: &[DVec3]) -> (f64, [DVec3; 4]) {

@@ -7,8 +7,7 @@
 
 use glam::DVec3;
 
-use super::layers::Near;
-use super::pairs::Pair;
+use super::pairs::{Near, Pair};
 use crate::ids::NodeId;
 
 /// The share of a gap that one move may use up.

@@ -32,6 +32,18 @@ pub(super) struct Pair {
     pub(super) eased: f64,
 }
 
+/// A pair, measured at the present positions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Near {
+    /// Its place in the list.
+    pub(super) pair: u32,
+    pub(super) weights: [f64; 4],
+    /// From the second thing to the first, of length 1.
+    pub(super) normal: DVec3,
+    /// The distance but for what is closed.
+    pub(super) gap: f64,
+}
+
 impl Pair {
     pub(super) fn points(&self, positions: &[DVec3]) -> [DVec3; 4] {
         self.nodes.map(|n| positions[n.index()])
@@ -39,6 +51,14 @@ impl Pair {
 
     pub(super) fn nearest(&self, points: &[DVec3; 4]) -> Nearest {
         if self.split == 1 { of_point_and_triangle(points) } else { of_edges(points) }
+    }
+
+    /// Measures it; `number` is its place in the list.
+    pub(super) fn near(&self, number: u32, positions: &[DVec3]) -> Near {
+        let Nearest { weights, apart } = self.nearest(&self.points(positions));
+        let distance = apart.length();
+        let normal = if distance > 0.0 { apart / distance } else { DVec3::ZERO };
+        Near { pair: number, weights, normal, gap: distance - self.closed }
     }
 }
 

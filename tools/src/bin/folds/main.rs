@@ -9,9 +9,9 @@
 #![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
 mod compare;
+#[path = "../tuning/patterns.rs"]
+mod patterns;
 mod run;
-#[path = "../tuning/scenes.rs"]
-mod scenes;
 
 use std::error::Error;
 

@@ -10,7 +10,7 @@ use origami::solve::{Reflect, unwatched};
 use origami::{Material, Model, Relax, Solver, State};
 use serde::{Deserialize, Serialize};
 
-use crate::scenes;
+use crate::patterns;
 
 /// By how much a file may miss itself at the flat-folded state, in radii.
 const CLOSED: f64 = 1e-3;
@@ -53,9 +53,9 @@ struct Asked {
 pub(crate) fn print(words: &[String]) -> Result<(), Box<dyn Error>> {
     let (settings, files): (Vec<String>, Vec<String>) = words.iter().cloned().partition(|word| word.contains('='));
     let asked = Asked::read(&settings)?;
-    let patterns = if files.is_empty() { scenes::generated()? } else { scenes::read(&files)? };
+    let all = if files.is_empty() { patterns::generated()? } else { patterns::read(&files)? };
     let mut rows = csv::Writer::from_writer(io::stdout());
-    for (name, _, pattern) in patterns {
+    for (name, _, pattern) in all {
         for model in Model::of_each(&pattern, &asked.materials)? {
             for percent in asked.percents.iter().filter(|_| model.node_count() <= asked.most) {
                 rows.serialize(fold(&name, &model, &asked.relax, *percent))?;

@@ -3,6 +3,7 @@
 //! `cargo run --release -p origami-tools --bin tuning -- FILE.fold ...`
 #![expect(clippy::print_stdout, reason = "a tool prints what it found")]
 
+mod patterns;
 mod scenes;
 
 use origami::solve::unwatched;

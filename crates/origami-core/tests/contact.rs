@@ -272,8 +272,8 @@ fn the_height_of_an_accordion_does_not_depend_on_its_cuts() {
     for panels in [4, 8] {
         let [parallel, mirrored] = [false, true].map(|mirrored| height(panels, mirrored));
         for height in [parallel, mirrored] {
-            assert!((height - 1.0).abs() < 0.05, "{panels} panels: {height} times (n - 1) t");
+            assert!((height - 1.0).abs() < 0.08, "{panels} panels: {height} times (n - 1) t");
         }
-        assert!((parallel - mirrored).abs() < 0.01, "{panels} panels: {parallel} and {mirrored}");
+        assert!((parallel - mirrored).abs() < 0.02, "{panels} panels: {parallel} and {mirrored}");
     }
 }

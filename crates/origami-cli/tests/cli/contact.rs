@@ -116,7 +116,6 @@ fn a_letter_is_blocked_at_once_and_closes_in_order() {
     let report = place.json("r.json");
     assert_eq!((&report["contact"]["blocked"], &report["crossings"]["count"]), (&json!(false), &json!(0)));
     assert_eq!(place.json("b.fold")["file_frames"][1].get("origami:blocked"), None);
-    place.run("fold letter.fold --thickness 0.02 --sequence own -o c.fold --quiet").succeeds();
     place.run("fold letter.fold --contact --solver newton -o d.fold").fails(1, "--solver newton: it has no --contact");
     place.run("fold letter.fold --contact --precision mixed -o d.fold").fails(1, "--precision mixed");
 }

@@ -67,6 +67,7 @@ pub(crate) fn measured(sheet: &Sheet, folded: &Folded) -> Map<String, Value> {
         "stop": ending(folded.stop),
         "attempts": folded.attempts,
         "saddles": folded.saddles,
+        "factorisations": folded.factorisations,
         "residual": folded.residual,
         "distance": folded.distance,
         "strain": statistics(strain.beams),
@@ -96,6 +97,7 @@ pub(crate) fn ending(stop: Stop) -> &'static str {
         Stop::StepsDone => "steps_done",
         Stop::Crushed => "crushed",
         Stop::Cancelled => "cancelled",
+        Stop::Blocked => "blocked",
         _ => "step_limit",
     }
 }

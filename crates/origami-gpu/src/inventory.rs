@@ -7,6 +7,7 @@ use crate::plan::Plan;
 use crate::purpose::Purpose;
 use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
+use crate::variant::Scheme;
 
 /// The model's inventory `inventory`, and what the GPU's pipelines add to it.
 pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose, abilities: Abilities) -> Inventory {
@@ -38,6 +39,12 @@ pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose, abil
     }
     if !variant.corners {
         without("buffer of corner angles", "there are none");
+    }
+    if matches!(purpose.scheme, Scheme::Relax) {
+        without(
+            "lighter masses of near nodes, handing over to Newton's method, search for saddles",
+            "shaders have none",
+        );
     }
     without("strain and energy on the GPU", "they are measured on the state that is read");
     inventory

@@ -24,6 +24,8 @@ pub(crate) struct Measured {
     pub(crate) attempts: u32,
     #[serde(default)]
     pub(crate) saddles: u32,
+    #[serde(default)]
+    pub(crate) factorisations: u32,
     pub(crate) residual: Option<f64>,
     pub(crate) distance: Option<f64>,
     pub(crate) strain: Option<Statistics>,
@@ -107,6 +109,7 @@ impl Measured {
             stop: folded.stop.into(),
             attempts: folded.attempts,
             saddles: folded.saddles,
+            factorisations: folded.factorisations,
             residual: Some(folded.residual),
             distance: Some(folded.distance),
             strain: Some(strain.beams.into()),

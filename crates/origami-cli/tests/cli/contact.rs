@@ -49,6 +49,8 @@ fn fold_tells_it_of_every_state() {
 const LETTER: &str = r#"{"file_spec": 1.2, "vertices_coords": [[0,0],[1,0],[2,0],[3,0],[3,2],[2,2],[1,2],[0,2]],
     "edges_vertices": [[0,1],[1,2],[2,3],[3,4],[4,5],[5,6],[6,7],[7,0],[1,6],[2,5]],
     "edges_assignment": ["B","B","B","B","B","B","B","B","V","V"],
+    "edges_foldAngle": [null,null,null,null,null,null,null,null,180,180],
+    "faces_vertices": [[0,1,6,7],[1,2,5,6],[2,3,4,5]],
     "origami:sequence": {"version": 1, "steps": [
         {"name": "left", "creases": {"edges": [8]}, "to": 70}, {"name": "right", "creases": {"edges": [9]}, "to": 50}]}}"#;
 

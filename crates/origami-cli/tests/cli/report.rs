@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::place::{Place, SQUARE};
 
-const KEYS: [&str; 36] = [
+const KEYS: [&str; 37] = [
     "input",
     "solver",
     "from",
@@ -30,6 +30,7 @@ const KEYS: [&str; 36] = [
     "stop",
     "attempts",
     "saddles",
+    "factorisations",
     "attitude",
     "residual",
     "distance",

@@ -25,7 +25,10 @@ fn bad_usage_is_1_and_names_what_is_wrong() {
         ("fold square.fold -o a.fold --frames 0", "--frames 0: expected a whole number from 1 to 100000"),
         ("fold square.fold -o a.fold --threads 0", "--threads 0: expected a whole number of at least 1"),
         ("fold square.fold -o a.fold --backend tpu", "auto, cpu or gpu"),
-        ("fold square.fold -o a.jpg", "a.jpg: the format .jpg is not known; expected .fold, .obj, .stl, .glb, .png or"),
+        (
+            "fold square.fold -o a.jpg",
+            "a.jpg: the format .jpg is not known; expected .fold, .obj, .stl, .glb, .html, .png or",
+        ),
         ("fold square.fold -o a", "a: no extension tells the format; expected .fold, .obj, .stl"),
         ("fold square.fold --png a.jpg", "a.jpg: expected a path ending in .png for --png"),
         ("fold square.fold -o a.png --size 0x3", "expected pixels across and down, such as 1000x800"),

@@ -333,6 +333,7 @@ fn overall(frames: &[Measured]) -> Measured {
         stop: limited.map_or(last.stop, |frame| frame.stop),
         attempts: frames.iter().map(|frame| frame.attempts).max().unwrap_or(0),
         saddles: frames.iter().map(|frame| frame.saddles).sum(),
+        factorisations: frames.iter().map(|frame| frame.factorisations).sum(),
         ..last
     }
 }

@@ -72,6 +72,9 @@ pub(super) fn line(run: &Run) -> String {
     if measured.attempts > 1 {
         line += &format!(", the best of {} attempts", measured.attempts);
     }
+    if measured.factorisations > 0 {
+        line += &format!(", {}", count(measured.factorisations as usize, "factorisation", "factorisations"));
+    }
     if measured.saddles > 0 {
         line += &format!(", {} left on the way", count(measured.saddles as usize, "saddle", "saddles"));
     }

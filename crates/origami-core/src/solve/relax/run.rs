@@ -99,6 +99,9 @@ impl Run<'_> {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Folded {
         let Self { relax, model, scene, .. } = *self;
+        if kept.steps >= limit {
+            return kept;
+        }
         let kept = self.hand_over(kept, limit, observe);
         let left = limit.saturating_sub(kept.steps);
         if left == 0 || kept.stop == Stop::Cancelled {

@@ -22,8 +22,9 @@ fn dense(model: &Model, positions: &[DVec3], targets: &[f64]) -> Vec<Vec<DMat3>>
     blocks
 }
 
-fn forces(model: &Model, positions: &[DVec3], targets: &[f64]) -> Vec<DVec3> {
-    let mut angles = creases::fold_angles(model, positions, &vec![0.0; model.creases.len()]);
+/// Fold angles go on from `near`: a hinge close to half a turn does not jump by a whole one.
+fn forces(model: &Model, positions: &[DVec3], targets: &[f64], near: &[f64]) -> Vec<DVec3> {
+    let mut angles = creases::fold_angles(model, positions, near);
     Forces::new(model).evaluate(positions, targets, &mut angles).to_vec()
 }
 
@@ -31,6 +32,7 @@ fn forces(model: &Model, positions: &[DVec3], targets: &[f64]) -> Vec<DVec3> {
 /// `scale` is the length over which forces change.
 fn error(model: &Model, positions: &[DVec3], targets: &[f64], scale: f64) -> f64 {
     let blocks = dense(model, positions, targets);
+    let angles = creases::fold_angles(model, positions, &vec![0.0; model.creases.len()]);
     let largest = blocks.iter().flatten().flat_map(DMat3::to_cols_array).fold(0.0, |m: f64, x| m.max(x.abs()));
     let mut worst = 0.0_f64;
     for j in 0..positions.len() {
@@ -39,7 +41,7 @@ fn error(model: &Model, positions: &[DVec3], targets: &[f64], scale: f64) -> f64
             let at = |shift: f64| {
                 let mut moved = positions.to_vec();
                 moved[j][axis] += shift * step;
-                forces(model, &moved, targets)
+                forces(model, &moved, targets, &angles)
             };
             let [far_below, below, above, far_above] = [-2.0, -1.0, 1.0, 2.0].map(at);
             for i in 0..positions.len() {

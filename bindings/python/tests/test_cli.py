@@ -32,8 +32,9 @@ def test_the_report_has_the_keys_of_its_document(folded):
     text = (Path(__file__).resolve().parents[3] / "docs" / "REPORT.md").read_text()
     table = text.split("All others have these:")[1].split("The keys from `percent`")[0]
     named = re.findall(r"^\| `(\w+)` \|", table, re.M)
-    # Only with `--frames`, and only after a divergence.
-    assert {key for key in named if key not in ("frames", "diverged")} == folded.report().keys()
+    # Only with `--frames`, after a divergence, in a sequence, with `--check` and with `--contact`.
+    elsewhere = ("frames", "diverged", "step", "crossings", "contact")
+    assert {key for key in named if key not in elsewhere} == folded.report().keys()
 
 
 def test_a_sweep_is_that_of_the_command_line(cli, patterns, tmp_path):

@@ -237,10 +237,8 @@ impl Newton {
                 }
                 descent.begin(self.max_steps - steps);
                 let mut observe = |step, distance| observe(Progress { step: steps + step, ramp: 1.0, distance });
-                {
-                    let reached = self.settle(descent, near.state, &mut observe);
-                    (reached, steps, near.attempts, near.saddles, near.factorisations)
-                }
+                let reached = self.settle(descent, near.state, &mut observe);
+                (reached, steps, near.attempts, near.saddles, near.factorisations)
             }
             None => (self.rise(descent, model, start, targets, observe), 0, 1, 0, 0),
         };

@@ -14,8 +14,8 @@ export function keys(app) {
             return app.foldOrUnfold();
         }
         const does = {
-            p: () => app.runOrPause(), s: () => app.step(), "0": () => app.reset(), o: () => app.chooseFile(), g: () => app.gallery(),
-            e: () => app.exports(), "?": () => app.help(), "]": () => app.next(1), "[": () => app.next(-1), Escape: () => app.choose(),
+            p: () => app.runOrPause(), s: () => app.step(), "0": () => app.reset(), o: () => app.files.chooseFile(), g: () => app.files.gallery(),
+            e: () => app.files.exports(), "?": () => app.help(), "]": () => app.next(1), "[": () => app.next(-1), Escape: () => app.choose(),
             h: () => app.setTool(app.tool === "grab" ? "turn" : "grab"), Home: () => app.look("corner"),
         };
         does[event.key]?.();

@@ -6,7 +6,7 @@ use flate2::Compression;
 use flate2::write::DeflateEncoder;
 
 /// The modules in an order in which each comes after those that it uses.
-const MODULES: [&str; 12] = [
+const MODULES: [&str; 15] = [
     "packet.js",
     "engine.js",
     "model.js",
@@ -19,6 +19,9 @@ const MODULES: [&str; 12] = [
     "keys.js",
     "panel.js",
     "gallery.js",
+    "files.js",
+    "controls.js",
+    "app.js",
 ];
 
 /// Nothing may be loaded, whatever the film says.

@@ -24,13 +24,16 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod catalog;
 pub mod computer;
 mod export;
 mod film;
 pub mod message;
 mod numbers;
+mod open;
 mod packet;
 mod places;
+mod refused;
 mod saved;
 mod session;
 mod sheet;

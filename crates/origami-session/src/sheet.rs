@@ -28,6 +28,15 @@ pub(crate) struct Named {
     pub(crate) title: Option<String>,
 }
 
+impl Named {
+    /// The file's name without its extensions.
+    pub(crate) fn stem(&self) -> &str {
+        let name = self.name.rsplit(['/', '\\']).next().unwrap_or(&self.name);
+        let name = name.strip_suffix(".gz").unwrap_or(name);
+        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+    }
+}
+
 /// A pattern and the sheet made of it.
 pub(crate) struct Sheet {
     pub(crate) named: Named,

@@ -3,9 +3,9 @@
 use super::*;
 use crate::Processor;
 use crate::message::MapWish as Map;
-use crate::message::{ExportFormat, SolverName, SolverWish};
+use crate::message::{ExportFormat, Own, SolverName, SolverWish};
 use origami_core::fold::Document;
-use origami_core::generate::catalog::generate;
+use origami_core::generate::catalog::{self, generate};
 use origami_core::{CreasePattern, Material, Model, Relax, Solver};
 use serde_json::Value;
 

@@ -1,12 +1,14 @@
 // The page between what folds and what is seen: what was asked, what came of it, and all that is asked in between.
 
 import { controls } from "./controls.js";
+import { Crossed } from "./crossed.js";
 import { Files } from "./files.js";
 import { Flat } from "./flat.js";
 import { hand } from "./hand.js";
 import { keys } from "./keys.js";
 import { isCrease, number, opened } from "./model.js";
 import { $, chosen, material, numbers, warnings } from "./panel.js";
+import { Recording } from "./recording.js";
 import { Stage } from "./stage.js";
 
 /** Changes by one hand without a pause of so many milliseconds are one to be undone. */
@@ -23,6 +25,8 @@ export class App {
         this.pending = {};
         this.sent = new Set();
         this.files = new Files(this);
+        this.crossed = new Crossed(this.stage);
+        this.recording = new Recording(this);
         this.engine = engine;
         this.live = engine.live;
         this.range = [engine.from ?? -100, engine.to ?? 100];
@@ -73,6 +77,7 @@ export class App {
             this.asked = true;
             this.ask({ do: "frame", map: $("map").value });
         }
+        this.recording.tick();
         this.stage.draw();
         this.flat.draw();
     }
@@ -98,6 +103,8 @@ export class App {
         this.stage.moved(new Float32Array(buffer, at, 4 * this.model.nodes));
         this.last = head;
         numbers(head);
+        this.crossed.frame(head.crossings);
+        this.recording.frame(head);
     }
 
     opened(reply) {
@@ -118,6 +125,8 @@ export class App {
         this.showWarned();
         warnings(this.model.warnings, (note) => this.showWarned(note));
         this.showUndo({});
+        this.crossed.opened();
+        this.recording.opened(this.model.steps);
         this.stage.camera.look("corner");
         for (const button of document.querySelectorAll("[data-letter]"))
             button.hidden = ![...this.model.letters].some((letter) => (letter === "J" ? "F" : letter) === button.dataset.letter);

@@ -80,9 +80,19 @@ export class Files {
     async export(format) {
         $("exports").close();
         if (format === "png") this.save(`${this.app.model.name.replace(/\.[^.]*$/, "")}.png`, await this.app.stage.png());
+        else if (format === "film") this.film();
         else if (format === "link") this.link();
         else if (format === "save") this.app.ask({ do: "save" });
         else this.app.ask({ do: "export", format });
+    }
+
+    /** A film of what was recorded; where nothing was, of the way to where the slider is, once that is there. */
+    film() {
+        const { recording } = this.app;
+        const save = () => this.app.ask({ do: "film" });
+        if (recording.now && !this.app.last.running) return save();
+        this.app.toast("The film is being made.");
+        recording.begin(false, save);
     }
 
     save(name, blob) {

@@ -26,6 +26,7 @@
 
 mod catalog;
 pub mod computer;
+mod crossed;
 mod export;
 mod film;
 pub mod message;
@@ -33,8 +34,11 @@ mod numbers;
 mod open;
 mod packet;
 mod places;
+mod reading;
+mod recording;
 mod refused;
 mod saved;
+mod sequence;
 mod session;
 mod sheet;
 mod undo;
@@ -43,4 +47,5 @@ pub use computer::{Computer, Mover, Processor};
 pub use film::film;
 pub use message::{Reply, Request, Wishes};
 pub use packet::{Malformed, Packet};
+pub use reading::Reading;
 pub use session::Session;

@@ -1,5 +1,7 @@
 //! Boxes around things, in a tree: which of them may meet something is found without looking at all.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 /// Things in a leaf of the tree.
@@ -110,11 +112,21 @@ impl BoxTree {
         self.near_from(0, own, visit);
     }
 
+    /// How many parts there are: leaves and what is above them.
+    pub(super) fn parts(&self) -> usize {
+        self.nodes.len()
+    }
+
     /// Tells `visit` all pairs of things of leaves that meet the box of a thing grown by so much: all pairs that meet so
-    /// themselves, once each, and some more.
-    pub(super) fn near_each_other(&self, boxes: &[Bounds], by: f64, mut visit: impl FnMut([usize; 2])) {
-        for (at, node) in self.nodes.iter().enumerate() {
-            let [from, to] = node.things.map(|i| i as usize);
+    /// themselves, once each, and some more. Only those of which the first is in one of these parts.
+    pub(super) fn near_each_other(
+        &self,
+        parts: Range<usize>,
+        (boxes, by): (&[Bounds], f64),
+        mut visit: impl FnMut([usize; 2]),
+    ) {
+        for at in parts {
+            let [from, to] = self.nodes[at].things.map(|i| i as usize);
             for i in from..to {
                 let own = self.things[i] as usize;
                 let grown = boxes[own].grown(by);
@@ -185,7 +197,10 @@ mod tests {
                 assert_eq!(by_moved, all);
             }
             let mut together = Vec::new();
-            tree.near_each_other(&boxes, 0.0, |[a, b]| together.push([a.min(b), a.max(b)]));
+            let half = tree.parts() / 2;
+            for parts in [0..half, half..tree.parts()] {
+                tree.near_each_other(parts, (&boxes, 0.0), |[a, b]| together.push([a.min(b), a.max(b)]));
+            }
             together.retain(|[a, b]| boxes[*a].meets(&boxes[*b]));
             let pairs = together.len();
             together.sort_unstable();

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-use super::distance::PARALLEL;
 use super::lanes::{Given, Measured, WIDTH, measure_edges, measure_points};
 use super::pairs::Pair;
 use crate::ids::NodeId;
@@ -43,7 +42,7 @@ impl<'a> Sieve<'a> {
     pub(super) fn sift(&mut self, found: &mut impl FnMut(Candidate, f64)) {
         pulp::Arch::new().dispatch(Work(self));
         for (i, candidate) in self.waiting.drain(..).enumerate() {
-            let parallel = self.edges && !(self.measured.sine[i] > PARALLEL);
+            let parallel = self.edges && self.measured.is_parallel(i);
             let distance = if parallel {
                 let pair = Pair::unmeasured(candidate.nodes, 2);
                 pair.nearest(&pair.points(self.positions)).apart.length()

@@ -10,13 +10,13 @@ use crate::mesh::Mesh;
 use crate::parallel;
 
 /// Pairs are listed up to so much beyond the gap, as a share of the median edge. More: lists last longer and are longer.
-const SKIN: f64 = 0.1;
+pub(super) const SKIN: f64 = 0.1;
 /// No node moves farther in one evaluation than this share of the skin, so that no pair that is not listed can close.
-const LONGEST: f64 = 0.2;
+pub(super) const LONGEST: f64 = 0.2;
 /// A pair is looked at before a move if its gap is below so many times what both of its things may move.
-const WITHIN: f64 = 1.2;
+pub const WITHIN: f64 = 1.2;
 /// The curvature of a pair is bounded by that at this share of its gap.
-const NEARER: f64 = 0.7;
+pub const NEARER: f64 = 0.7;
 /// Pairs that one task measures at least.
 const TASK: usize = 512;
 

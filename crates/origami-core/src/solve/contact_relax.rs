@@ -7,29 +7,22 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::contact_end::{Touch, Touching, farthest, is_held_up, patience, residual, touched};
 use super::guard::Guard;
-use super::largest::largest;
 use super::ramp::Ramp;
-use super::relax::{default_ramp, ramp_between};
+use super::relax::ramp_between;
 use super::row_sums::row_sums;
 use super::settle::Settling;
 use super::surroundings::Surroundings;
 use super::threads::{count, share};
 use super::{Failed, Folded, Precision, Progress, REPORT, Relax, Solver, State, Stop, unwatched};
-use crate::contact::{Contact, Crossings, Layers, Pressing, pressing};
-use crate::forces::Forces;
-use crate::ids::CreaseId;
+use crate::contact::{Contact, Crossings, Layers};
 use crate::kernel::{Bounds, Kernel};
 use crate::model::{Inventory, Model};
 use crate::scene::{Refusal, Scene};
 use crate::twins::checkpoint::COPY_EVERY;
 use crate::twins::fire_update::{Decision, Fire, HOLD, RENEWAL, Sums, fire_update};
 use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
-
-/// A sheet at rest under contact that is farther than this from an angle asked of it is blocked, in degrees.
-const OFF: f64 = 10.0;
-/// Ramps for which it goes on at the final targets while contact holds it up.
-const PATIENCE: u64 = 10;
 
 /// [`Relax`] of a sheet whose layers push each other away, and through which nothing goes: a state without crossings stays one.
 ///
@@ -42,24 +35,6 @@ pub struct ContactRelax {
     pub relax: Relax,
     /// How paper keeps away from paper.
     pub contact: Contact,
-}
-
-/// What contact did on a way to a state.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct Touch {
-    /// The faces that press at the end, the hardest first.
-    pub pressing: Vec<Pressing>,
-    /// The share of the way to the targets, 0 to 1, at which a move was first shortened; `None`: nothing was ever in the way.
-    pub first_limited: Option<f64>,
-    /// Evaluations in which some move was shortened.
-    pub limited: u64,
-    /// The least gap at the end, in radii; infinite where nothing touches.
-    pub least_gap: f64,
-    /// The crease that is farthest from the angle asked of it, and how far, in radians.
-    pub farthest: Option<(CreaseId, f64)>,
-    /// Most pairs that were listed at one time.
-    pub most_pairs: usize,
 }
 
 impl Solver for ContactRelax {
@@ -75,6 +50,18 @@ impl Solver for ContactRelax {
 
     fn inventory(&self, model: &Model) -> Inventory {
         self.relax.inventory(model)
+    }
+}
+
+impl Touching for ContactRelax {
+    fn fold_touching(
+        &self,
+        model: &Model,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<(Folded, Touch), Failed> {
+        Self::fold_touching(self, model, start, scene, observe)
     }
 }
 
@@ -242,7 +229,7 @@ impl<'a> Run<'a> {
     ) -> Result<Stop, Failed> {
         let relax = &self.solver.relax;
         let (limit, all) = (relax.steps.unwrap_or(relax.max_steps), relax.steps.is_some());
-        let patience = PATIENCE * u64::from(default_ramp(self.model));
+        let patience = patience(self.model);
         let mut turned = 0.0;
         while self.steps < limit {
             if !self.ramp.done() && turned <= HOLD {
@@ -354,15 +341,9 @@ impl<'a> Run<'a> {
 
     /// Whether layers press, and a crease is far from the angle asked of it.
     fn is_held_up(&self) -> bool {
-        self.layers.count() > 0 && self.farthest().is_some_and(|(_, off)| off > OFF.to_radians())
-    }
-
-    fn farthest(&self) -> Option<(CreaseId, f64)> {
         let mut angles = vec![0.0; self.model.creases.len()];
         self.kernel.read_angles(&mut angles);
-        let off = angles.iter().zip(self.ramp.asked()).map(|(reached, asked)| (reached - asked).abs());
-        let all = off.enumerate().map(|(crease, off)| (CreaseId::new(crease), off));
-        all.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
+        is_held_up(&self.layers, farthest(&angles, self.ramp.asked()))
     }
 
     /// All that moves, without targets.
@@ -378,33 +359,23 @@ impl<'a> Run<'a> {
         self.kernel.set_positions(&self.positions);
         self.kernel.springs(false);
         self.layers.measure(&self.positions);
-        let touch = Touch {
-            pressing: pressing(&self.model.mesh, &self.layers, &self.positions),
-            least_gap: self.layers.least_gap(),
-            farthest: self.farthest(),
-            ..std::mem::take(&mut self.touch)
-        };
         let mut state = self.state();
-        state.velocities.fill(DVec3::ZERO);
         state.targets = self.ramp.into_asked();
-        let held = self.surroundings.held().clone();
-        let mut forces = Forces::holding(self.model, self.scene, held.clone());
-        let mut all = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles).to_vec();
-        let mut of_contact = vec![DVec3::ZERO; all.len()];
-        self.layers.add(&state.positions, &mut of_contact, &mut self.masses);
-        held.clear(&mut of_contact);
-        all.iter_mut().zip(&of_contact).for_each(|(all, own)| *all += *own);
+        let touch = touched(self.model, &self.layers, &state, std::mem::take(&mut self.touch));
+        state.velocities.fill(DVec3::ZERO);
+        let (residual, reactions) =
+            residual((self.model, self.scene), self.surroundings.held(), &self.layers, &mut state);
         let folded = Folded {
             targets: self.scene.targets.clone(),
             stop,
             steps: self.steps,
             time_step: self.fire.step,
-            residual: largest(&all),
+            residual,
             distance: self.settling.distance(),
             attempts: 1,
             factorisations: 0,
             saddles: 0,
-            reactions: forces.reactions().to_vec(),
+            reactions,
             state,
         };
         (folded, touch)

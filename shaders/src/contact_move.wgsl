@@ -1,8 +1,5 @@
 // Under contact in the place of fire_move: moves every node by the share of its move that all of its pairs allow.
 
-// How far a node may be from where it was listed.
-override CONTACT_SPENT: f32;
-
 @group(0) @binding(34) var<storage, read> shares: array<f32>;
 // By node: its way since the pairs were listed.
 @group(0) @binding(35) var<storage, read_write> ways: array<vec4<f32>>;
@@ -27,7 +24,8 @@ fn contact_move(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let way = ways[node].xyz + by;
     ways[node] = vec4<f32>(way, 0.0);
-    if (beyond(dot(way, way), CONTACT_SPENT * CONTACT_SPENT)) {
+    let lasts = touch[id.y].lasts;
+    if (beyond(dot(way, way), lasts * lasts)) {
         atomicMax(&touch[id.y].spent, 1u);
     }
 }

@@ -11,6 +11,8 @@ struct Touch {
     first_limited: u32,
     // The last evaluation before the end of the ramp.
     arrived: u32,
+    // How far a node may be from where it was listed before the list is spent.
+    lasts: f32,
 }
 
 @group(0) @binding(36) var<storage, read_write> touch: array<Touch>;

@@ -198,7 +198,6 @@ impl ContactOnModel<'_> {
                     stiffness: self.method.contact.stiffness,
                     thick: self.method.contact.thickness > 0.0,
                     longest_move: list.longest_move(),
-                    spent: list.spent(),
                     patience: patience(self.model),
                 };
                 Engine::in_contact(self.gpu, self.model, &outside, contact)?
@@ -271,7 +270,7 @@ impl Run<'_, '_> {
             if control.stop == SPENT {
                 let nodes: Vec<Node> = engine.read(Binding::Nodes, engine.variant.nodes)?;
                 self.take(state(&nodes, &[], Vec::new()).positions, u64::from(control.step))?;
-                self.list.list(&self.last.positions);
+                self.list.list_on(&self.last.positions);
                 self.hand_over_list(engine)?;
                 engine.go_on()?;
                 control.stop = 0;
@@ -283,7 +282,7 @@ impl Run<'_, '_> {
 
     fn hand_over_list(&mut self, engine: &mut Engine) -> Result<(), GpuError> {
         self.most_pairs = self.most_pairs.max(self.list.pairs().len());
-        engine.list(&PairArrays::new(engine.variant.nodes, self.list.pairs()))
+        engine.list(&PairArrays::new(engine.variant.nodes, &self.list))
     }
 
     /// Takes note of positions that were read, where they have no crossings.

@@ -1,5 +1,7 @@
 //! A sheet on the GPU: its buffers, and the passes of a step in their order.
 
+use std::mem::offset_of;
+
 use origami_core::Model;
 use origami_core::ids::NodeId;
 use origami_core::model::Material;
@@ -122,7 +124,7 @@ impl Engine {
     ///
     /// # Errors
     /// [`GpuError::TooManyElements`] where a dispatch does not count so many pairs, and as [`Engine::new`].
-    pub(crate) fn list(&mut self, PairArrays { pairs, rows }: &PairArrays) -> Result<(), GpuError> {
+    pub(crate) fn list(&mut self, PairArrays { pairs, rows, lasts }: &PairArrays) -> Result<(), GpuError> {
         let allowed = 65_535 * u64::from(self.variant.workgroup);
         let count = u32::try_from(pairs.len()).ok().filter(|count| u64::from(*count) <= allowed);
         let count = count.ok_or(GpuError::TooManyElements { count: pairs.len() as u64, allowed })?;
@@ -143,6 +145,8 @@ impl Engine {
             self.passes.all_mut().for_each(|pass| pass.set_pairs(count));
             self.write(Binding::Pairs, pairs);
             self.write(Binding::PairRows, rows);
+            let at = offset_of!(Touch, lasts) as u64;
+            gpu.queue().write_buffer(&self.buffers[&Binding::Touch], at, bytemuck::bytes_of(lasts));
             self.write(Binding::Ways, &vec![[0.0_f32; 4]; self.variant.nodes]);
             Ok(())
         })?

@@ -264,6 +264,7 @@ pub(crate) struct Touch {
     pub(crate) last_limited: u32,
     pub(crate) first_limited: u32,
     pub(crate) arrived: u32,
+    pub(crate) lasts: f32,
 }
 
 #[cfg(test)]
@@ -340,7 +341,7 @@ mod tests {
         same_layout!(&limits, Pair { nodes, slots, split, closed, width, eased });
         same_layout!(&limits, Move { by, springs });
         let moved = shader(&contact_move::KERNEL);
-        same_layout!(&moved, Touch { limited_now, spent, limited, last_limited, first_limited, arrived });
+        same_layout!(&moved, Touch { limited_now, spent, limited, last_limited, first_limited, arrived, lasts });
     }
 
     /// Bytes of the control block as a text tells them.

@@ -1,6 +1,6 @@
 //! From the pairs that the processor has listed to what the shaders read of them.
 
-use origami_core::contact::ListedPair;
+use origami_core::contact::PairList;
 
 use crate::kernels::Binding;
 use crate::layout::{Move, Pair, Touch};
@@ -12,12 +12,14 @@ pub(crate) struct PairArrays {
     pub(crate) pairs: Vec<Pair>,
     /// First slot of each node, and the end of the last.
     pub(crate) rows: Vec<u32>,
+    /// How far a node may be from where it was listed, in radii.
+    pub(crate) lasts: f32,
 }
 
 impl PairArrays {
     /// Those of a sheet of so many nodes.
-    pub(crate) fn new(nodes: usize, listed: impl ExactSizeIterator<Item = ListedPair>) -> Self {
-        let mut pairs: Vec<Pair> = listed.map(|pair| Pair::from(&pair)).collect();
+    pub(crate) fn new(nodes: usize, list: &PairList) -> Self {
+        let mut pairs: Vec<Pair> = list.pairs().map(|pair| Pair::from(&pair)).collect();
         let mut rows = vec![0_u32; nodes + 1];
         pairs.iter().flat_map(|pair| pair.nodes).for_each(|node| rows[node as usize + 1] += 1);
         for node in 0..nodes {
@@ -30,8 +32,13 @@ impl PairArrays {
                 next[node as usize] += 1;
             }
         }
-        Self { pairs, rows }
+        Self { pairs, rows, lasts: narrow(list.spent()) }
     }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "to the nearest")]
+fn narrow(x: f64) -> f32 {
+    x as f32
 }
 
 /// Bytes of the buffers that contact adds to a sheet of so many nodes, with room for so many pairs.
@@ -51,7 +58,7 @@ pub(crate) fn sizes(nodes: usize, pairs: usize) -> [(Binding, u64); 8] {
 
 #[cfg(test)]
 mod tests {
-    use origami_core::contact::{Contact, PairList};
+    use origami_core::contact::Contact;
 
     use super::*;
     use crate::testing::cases::miura;
@@ -61,7 +68,8 @@ mod tests {
         let model = miura();
         let mut list = PairList::new(&model.mesh, &model.rest, Contact { gap: 0.3, ..Contact::default() });
         list.list(&model.rest);
-        let PairArrays { pairs, rows } = PairArrays::new(model.node_count(), list.pairs());
+        let PairArrays { pairs, rows, lasts } = PairArrays::new(model.node_count(), &list);
+        assert!(f64::from(lasts) <= list.spent() * (1.0 + 1e-7));
         assert!(pairs.len() > 100 && pairs.len() == list.pairs().len());
         assert_eq!(rows.last().copied(), u32::try_from(4 * pairs.len()).ok());
         let mut of_slot = vec![None; 4 * pairs.len()];

@@ -33,9 +33,8 @@ pub(crate) struct InContact {
     pub(crate) stiffness: f64,
     /// Whether the paper has a thickness.
     pub(crate) thick: bool,
-    /// The farthest that a node may move in one evaluation, and may be from where it was listed, in radii.
+    /// The farthest that a node may move in one evaluation, in radii.
     pub(crate) longest_move: f64,
-    pub(crate) spent: f64,
     /// Evaluations at the final targets for which it goes on while it is held up.
     pub(crate) patience: u64,
 }
@@ -206,7 +205,6 @@ impl Variant {
             constants.extend([
                 ("CONTACT_STIFFNESS", own.stiffness),
                 ("CONTACT_LONGEST", own.longest_move),
-                ("CONTACT_SPENT", own.spent),
                 ("HELD_UP_AFTER", own.patience.min(u64::from(u32::MAX)) as f64),
                 ("RECENT", checkpoint::COPY_EVERY as f64),
                 ("PARALLEL", contact::PARALLEL),

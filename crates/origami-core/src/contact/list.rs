@@ -3,13 +3,13 @@
 use glam::DVec3;
 
 use super::Contact;
-use super::layers::{LONGEST, Layers, SKIN};
+use super::layers::{FEW, LONGEST, Layers, MANY, MOST_SKINS, SKIN};
 use super::pairs::{Finder, Near, Pair};
 use crate::ids::NodeId;
 use crate::mesh::Mesh;
 
-/// A list is made anew where a node has come farther than this share of the skin from where it was, as [`Layers`] does.
-const SPENT: f64 = 0.25;
+/// A list is made anew before two nodes could have come so near to each other that but this share of a skin is left of its room.
+const LEFT: f64 = 0.1;
 
 /// A point and a triangle, or two edges, that may touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +43,8 @@ impl From<&Pair> for ListedPair {
 pub struct PairList {
     finder: Finder,
     skin: f64,
+    /// How far beyond the gap pairs are listed.
+    room: f64,
     gap: f64,
     pairs: Vec<Pair>,
     gaps: Vec<f64>,
@@ -54,12 +56,22 @@ impl PairList {
     pub fn new(mesh: &Mesh, rest: &[DVec3], contact: Contact) -> Self {
         let finder = Finder::new(mesh, rest, contact);
         let skin = SKIN * finder.median_edge();
-        Self { finder, skin, gap: contact.gap, pairs: Vec::new(), gaps: Vec::new() }
+        Self { finder, skin, room: skin, gap: contact.gap, pairs: Vec::new(), gaps: Vec::new() }
     }
 
     /// Lists the pairs anew, with the nodes at `positions`, one for each node of the sheet.
     pub fn list(&mut self, positions: &[DVec3]) {
-        self.finder.find(positions, self.gap + self.skin, &mut self.pairs, &mut self.gaps);
+        self.finder.find(positions, self.gap + self.room, &mut self.pairs, &mut self.gaps);
+    }
+
+    /// Lists the pairs anew, farther than before where they were few and less far where they were many, as [`Layers`] does.
+    pub fn list_on(&mut self, positions: &[DVec3]) {
+        if self.pairs.len() <= FEW * positions.len() {
+            self.room = (2.0 * self.room).min(MOST_SKINS * self.skin);
+        } else if self.pairs.len() > MANY * positions.len() {
+            self.room = (0.5 * self.room).max(self.skin);
+        }
+        self.list(positions);
     }
 
     /// The pairs that were listed last, always in the same order.
@@ -76,7 +88,7 @@ impl PairList {
     /// How far a node may be from where it was listed, in radii, before another list is needed.
     #[must_use]
     pub fn spent(&self) -> f64 {
-        SPENT * self.skin
+        0.5 * (self.room - LEFT * self.skin) - self.longest_move()
     }
 
     /// The farthest that a node may move in one evaluation, in radii.
@@ -89,8 +101,9 @@ impl PairList {
 /// Constants that the shaders share, by the names that they have there.
 #[doc(hidden)]
 pub mod constants {
+    pub use super::super::NEARER;
     pub use super::super::distance::PARALLEL;
-    pub use super::super::layers::{NEARER, WITHIN};
+    pub use super::super::layers::WITHIN;
     pub use super::super::limit::USABLE;
 }
 
@@ -147,17 +160,19 @@ mod tests {
         list.list(&model.rest);
         // Two nodes that come towards each other as far as they can.
         let closer = 2.0 * (list.spent() + list.longest_move());
-        assert!(closer < list.skin, "{closer} of {}", list.skin);
+        assert!(closer < list.room && list.spent() > list.longest_move(), "{closer} of {}", list.room);
         assert!(list.longest_move() > 0.0 && list.least_gap() > 0.0);
         let listed: Vec<ListedPair> = list.pairs().collect();
-        let reach = Contact::default().gap + list.skin;
-        let all = {
-            let mut wide = PairList { skin: 3.0, ..list.clone() };
-            wide.list(&model.rest);
-            wide
-        };
+        let reach = Contact::default().gap + list.room;
+        let mut all = PairList { room: 3.0, ..list.clone() };
+        all.list(&model.rest);
         assert!(all.pairs.len() > listed.len(), "some are too far apart");
         let near = all.pairs().zip(&all.gaps).filter(|(_, gap)| **gap < reach).map(|(pair, _)| pair);
         assert!(near.eq(listed), "those that are near, in their order");
+        // Few pairs: the next list lasts longer.
+        let before = list.spent();
+        (0..5).for_each(|_| list.list_on(&model.rest));
+        assert!(list.spent() > before && 2.0 * (list.spent() + list.longest_move()) < list.room);
+        assert!(list.room <= MOST_SKINS * list.skin);
     }
 }

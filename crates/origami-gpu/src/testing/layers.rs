@@ -52,7 +52,6 @@ impl Layers {
             stiffness: contact.stiffness,
             thick: contact.thickness > 0.0,
             longest_move: list.longest_move(),
-            spent: list.spent(),
             patience: contact_end::patience(model),
         };
         let mut engine = Engine::in_contact(gpu, model, &Outside::default(), built).expect("it fits");
@@ -74,7 +73,7 @@ impl Layers {
             damping_sum: 0.0,
         };
         engine.load(0, &[beginning]).expect("written");
-        let arrays = PairArrays::new(model.node_count(), list.pairs());
+        let arrays = PairArrays::new(model.node_count(), &list);
         engine.list(&arrays).expect("written");
         Self { engine, list, arrays }
     }
@@ -82,7 +81,7 @@ impl Layers {
     /// Lists the pairs anew.
     pub(crate) fn list(&mut self, positions: &[DVec3]) {
         self.list.list(positions);
-        self.arrays = PairArrays::new(positions.len(), self.list.pairs());
+        self.arrays = PairArrays::new(positions.len(), &self.list);
         self.engine.list(&self.arrays).expect("written");
     }
 

@@ -35,7 +35,7 @@ pub(crate) fn extent() -> Extent {
 
 /// A sheet whose layers push each other away, thick or not.
 pub(crate) fn in_contact(thick: bool) -> Variant {
-    let contact = InContact { stiffness: 50.0, thick, longest_move: 2e-3, spent: 2.5e-3, patience: 4000 };
+    let contact = InContact { stiffness: 50.0, thick, longest_move: 2e-3, patience: 4000 };
     Variant { contact: Some(contact), fixed: thick, ..plain() }
 }
 

@@ -112,7 +112,7 @@ impl Settings {
             max_time: args.max_seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()),
             solver_name: solving.solver,
             method: method(solving, args.perturbation)?,
-            backend: if stepwise {
+            backend: if stepwise && solving.backend != BackendName::Gpu {
                 Backend::new(BackendName::Cpu, None)?
             } else {
                 backend(solving, &args.material.named())?
@@ -183,8 +183,8 @@ fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
     if solving.solver != SolverName::Relax {
         return Err(format!("--solver {}: it has no {option}; expected relax", solving.solver.name()));
     }
-    if solving.backend == BackendName::Gpu {
-        return Err(format!("--backend gpu: {option} runs on the processor; expected auto or cpu"));
+    if solving.backend == BackendName::Gpu && args.contact.sequence.is_some() {
+        return Err("--backend gpu: --sequence runs on the processor; expected auto or cpu".to_owned());
     }
     if args.contact.keeps_apart() && solving.precision() != Precision::F64 {
         return Err("--precision mixed: contact needs f64; expected f64 with --contact".to_owned());

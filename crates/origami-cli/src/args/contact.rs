@@ -53,8 +53,8 @@ pub(crate) struct ContactArgs {
     /// Layers push each other away from a small gap on, and no move takes anything through anything: a sheet that begins
     /// without crossings has none at the end. Friction is left out. A sheet that contact keeps from its angles ends blocked,
     /// with exit code 3: the faces that press and the crease that is farthest from its angle are told, and another order
-    /// (--sequence) may help. With --solver relax, on the processor; every state is tested as by --check. docs/CONTACT.md says
-    /// more.
+    /// (--sequence) may help. With --solver relax, on the processor or, where --backend gpu asks for it, on a GPU; every state is
+    /// tested as by --check. docs/CONTACT.md says more.
     #[arg(long, conflicts_with = "from_flat")]
     pub(crate) contact: bool,
 

@@ -11,7 +11,7 @@ use super::pairs::{Near, Pair};
 use crate::ids::NodeId;
 
 /// The share of a gap that one move may use up.
-const USABLE: f64 = 0.5;
+pub const USABLE: f64 = 0.5;
 /// The share of a pair's width that is never used up: without it gaps would shrink to nothing by halves.
 const FLOOR: f64 = 1e-3;
 

@@ -13,6 +13,8 @@ pub mod attempt;
 mod bare_kernel;
 mod clock;
 mod clusters;
+#[doc(hidden)]
+pub mod contact_end;
 mod contact_relax;
 mod crushed;
 mod driver;
@@ -48,7 +50,8 @@ pub mod time_step;
 
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
-pub use contact_relax::{ContactRelax, Touch};
+pub use contact_end::{Touch, Touching};
+pub use contact_relax::ContactRelax;
 pub use crushed::{CRUSHED, crushed_triangles};
 use driver::REPORT;
 pub use driver::{Folded, Instance, Progress, Session, Solver, Stop, unwatched};

@@ -7,7 +7,7 @@ use origami::error::WarningCode;
 use origami::export::Template;
 use origami::measure::attitude;
 use origami::model::Model;
-use origami::solve::{Failed, Folded, Progress, Stop, crushed_triangles, fold_path_from};
+use origami::solve::{ContactRelax, Failed, Folded, Progress, Stop, crushed_triangles, fold_path_from};
 use origami::{CreasePattern, Error, Warning, measure};
 
 use super::order::{self, Ended, Order};
@@ -99,7 +99,14 @@ fn attempt(
         scene_warnings(&pattern, &model, &settings.percents, computer.adapter.is_some().then_some(settings.tolerance));
     told.warnings.extend(warnings.iter().cloned().chain(computer.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
-    let scene = SceneFacts::new(&pattern, &model, &computer.solver.inventory(&model), &warnings);
+    let in_contact = |solver| settings.backend.in_contact(solver);
+    let inventory = match (settings.contact.map(|asked| asked.of(&model)), &settings.method) {
+        (Some(contact), Method::Relax(relax)) => {
+            in_contact(ContactRelax { relax: relax.clone(), contact }).inventory(&model)
+        }
+        _ => computer.solver.inventory(&model),
+    };
+    let scene = SceneFacts::new(&pattern, &model, &inventory, &warnings);
     let start = match settings.start(&model) {
         Ok(start) => start,
         Err(failed) => return Ok(refused(input, &format!("--from-flat: {failed}"), told)),
@@ -120,7 +127,7 @@ fn attempt(
             }
             (None, Some(contact), Method::Relax(relax)) => {
                 let mut watched = |stage, progress| watched(before + stage, progress);
-                order::in_contact(&model, (relax, contact), &start, percents, &mut watched)?
+                order::in_contact(&model, (relax, contact, &in_contact), &start, percents, &mut watched)?
             }
             _ => {
                 let mut watched = |stage, progress| watched(before + stage, progress);

@@ -7,12 +7,12 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::barrier::{Barrier, mollifier};
+use super::Contact;
+use super::barrier::{Barrier, NEARER, mollifier};
 use super::boxes::{Bounds, BoxTree};
 use super::distance::{Nearest, of_edges, of_point_and_triangle};
 use super::sieve::{Candidate, Sieve};
 use super::wedge::{THICKEST, Wedges};
-use super::{Contact, NEARER};
 use crate::ids::NodeId;
 use crate::mesh::{Mesh, Side};
 use crate::parallel;

@@ -45,9 +45,11 @@ pub(super) struct Run<'a> {
     /// By node, of springs and contact.
     pub(super) forces: Vec<DVec3>,
     pub(super) moves: Vec<DVec3>,
-    /// By node: row sums of the springs, and of the contact too.
-    pub(super) springs: Vec<f64>,
-    pub(super) masses: Vec<f64>,
+    /// By node: row sums of the springs, with their inverses.
+    pub(super) springs: Vec<[f64; 2]>,
+    /// The same with those of contact; of no use where nothing is felt of it.
+    pub(super) masses: Vec<[f64; 2]>,
+    pub(super) felt: bool,
     pub(super) steps: u64,
     /// The evaluation at which the ramp was done.
     arrived: u64,
@@ -96,8 +98,9 @@ impl<'a> Run<'a> {
             velocities: vec![DVec3::ZERO; nodes],
             forces: vec![DVec3::ZERO; nodes],
             moves: vec![DVec3::ZERO; nodes],
-            springs: vec![0.0; nodes],
-            masses: vec![0.0; nodes],
+            springs: vec![[0.0; 2]; nodes],
+            masses: vec![[0.0; 2]; nodes],
+            felt: false,
             steps: 0,
             arrived: 0,
             last_limited: 0,
@@ -191,7 +194,7 @@ impl<'a> Run<'a> {
         let mut forces = Forces::holding(self.model, self.scene, held.clone());
         let mut all = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles).to_vec();
         let mut of_contact = vec![DVec3::ZERO; all.len()];
-        self.layers.add(&state.positions, &mut of_contact, &mut self.masses);
+        self.layers.add(&state.positions, &mut of_contact, &mut vec![0.0; all.len()]);
         held.clear(&mut of_contact);
         all.iter_mut().zip(&of_contact).for_each(|(all, own)| *all += *own);
         let folded = Folded {

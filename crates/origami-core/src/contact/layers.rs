@@ -14,6 +14,7 @@ use super::soon::Soon;
 use super::task::{self, All, Felt, Task};
 use crate::mesh::Mesh;
 use crate::parallel;
+pub(super) use listing::{FEW, MANY, MOST_SKINS};
 
 /// Pairs are listed up to so much beyond the gap, as a share of the median edge.
 pub(super) const SKIN: f64 = 0.1;

@@ -94,7 +94,7 @@ impl Settings {
         Ok(Self {
             frame: args.frame,
             percents,
-            sheet_percents: (of_sheet && !sheet_alone).then(|| stages_to(STAGES)),
+            sheet_percents: (of_sheet && !sheet_alone && sequence.is_none()).then(|| stages_to(STAGES)),
             steps: solving.steps,
             animated: args.frames.is_some() || sequence.is_some(),
             parts: args.frames.unwrap_or(1),
@@ -198,7 +198,7 @@ pub(crate) struct AskedContact {
     /// In radii.
     gap: Option<f64>,
     /// In the file's unit.
-    thickness: Option<f64>,
+    pub(crate) thickness: Option<f64>,
 }
 
 impl AskedContact {

@@ -45,7 +45,7 @@ pub(crate) struct ContactArgs {
     /// --percent); `frames` takes each frame after the pattern's as a step, to the fold angles that it has; a file beside
     /// the input has the same as `origami:sequence`. Each step comes to rest and is a frame of the output, under its name;
     /// with --frames N each is shown in N parts. docs/SEQUENCES.md has the format. With --solver relax, on the processor.
-    #[arg(long, value_name = "own|frames|FILE", value_parser = SequenceSource::parse, conflicts_with_all = ["from_flat", "sheet"])]
+    #[arg(long, value_name = "own|frames|FILE", value_parser = SequenceSource::parse, conflicts_with = "from_flat")]
     pub(crate) sequence: Option<SequenceSource>,
 
     /// Keep paper from going through paper
@@ -67,7 +67,8 @@ pub(crate) struct ContactArgs {
     /// How thick the paper is, in the file's unit [default: 0]
     ///
     /// Layers keep so far from each other, measured between their middle planes; two faces that share a crease are a wedge,
-    /// which is as thick at their centroids and closes at the crease. The gap is a tenth of it unless another is asked for.
+    /// which is as thick at their centroids and closes at the crease. The gap is a tenth of it unless another is asked for. STL
+    /// files have each face as a plate so thick.
     /// Implies --contact.
     #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "from_flat")]
     pub(crate) thickness: Option<f64>,

@@ -218,6 +218,7 @@ fn attempt(
         steps: &steps,
         animated: settings.animated,
         artist: &artist,
+        thickness: settings.contact.and_then(|asked| asked.thickness),
         fps: settings.film.fps,
     };
     let contact = Sheet { states: shown.as_deref().unwrap_or(&states), ..sheet };
@@ -300,6 +301,7 @@ fn draw_pattern(
         steps: &[],
         animated: false,
         artist: &artist,
+        thickness: None,
         fps: None,
     };
     targets.iter().try_for_each(|target| files::write(target, &sheet).map(|_| ()))
@@ -314,7 +316,8 @@ fn write(
 ) -> Result<(Vec<String>, Option<Warning>), Error> {
     if let (Format::Film, Destination::File(path)) = (target.format, &target.destination) {
         let states = sheet.states_of(Format::Film);
-        let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
+        let steps = sheet.steps_of(Format::Film);
+        let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states, steps };
         let mut drawn = |drawn, of| observe(Seen::Pictures(drawn, of));
         files::make_folder(target)?;
         return Ok((draw::film(sheet.artist, subject, settings.film, path, &mut drawn)?, None));

@@ -4,10 +4,10 @@
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { run } from "./program.mjs";
+import { ROOT, run } from "./program.mjs";
 
 const solver = (await WebAssembly.instantiate(await readFile(join(process.argv[2], "origami_web.wasm")))).instance.exports;
-const { packed, unpacked } = await import(`file://${join(process.env.ORIGAMI_ROOT, "web/page/packet.js")}`);
+const { packed, unpacked } = await import(`file://${join(ROOT, "web/page/packet.js")}`);
 
 function ask(request) {
     const bytes = packed(request, new Uint8Array());

@@ -1,8 +1,8 @@
 //! WebAssembly's vectors: two of them are four numbers, and every one of the portable lanes' bits.
 
 use core::arch::wasm32::{
-    f64x2, f64x2_abs, f64x2_add, f64x2_div, f64x2_extract_lane, f64x2_lt, f64x2_mul, f64x2_pmax, f64x2_pmin,
-    f64x2_splat, f64x2_sqrt, f64x2_sub, i64x2_all_true, i64x2_shuffle, v128, v128_and, v128_bitselect,
+    f64x2_abs, f64x2_add, f64x2_div, f64x2_lt, f64x2_mul, f64x2_pmax, f64x2_pmin, f64x2_splat, f64x2_sqrt, f64x2_sub,
+    i64x2_all_true, i64x2_shuffle, v128, v128_and, v128_bitselect,
 };
 
 use crate::kernel::blocks::{CREASES, NODES};
@@ -16,13 +16,13 @@ use crate::kernel::real::Quad64;
 pub(in crate::kernel) struct Twice2;
 
 #[inline(always)]
-fn numbers([a, b]: [v128; 2]) -> [f64; 4] {
-    [f64x2_extract_lane::<0>(a), f64x2_extract_lane::<1>(a), f64x2_extract_lane::<0>(b), f64x2_extract_lane::<1>(b)]
+fn numbers(vectors: [v128; 2]) -> [f64; 4] {
+    bytemuck::cast(vectors)
 }
 
 #[inline(always)]
-fn vectors([a, b, c, d]: [f64; 4]) -> [v128; 2] {
-    [f64x2(a, b), f64x2(c, d)]
+fn vectors(numbers: [f64; 4]) -> [v128; 2] {
+    bytemuck::cast(numbers)
 }
 
 /// Vectors of four elements as x, y and z of all of them.

@@ -95,9 +95,10 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<Option<Warning
         // Written by whoever shows how far it has come.
         Format::Film => Ok(()),
         Format::Html => whole(&target.destination, |writer| {
-            let states =
-                if sheet.animated { sheet.states } else { sheet.states.last().map_or(&[][..], std::slice::from_ref) };
-            page::write(sheet.name, sheet.pattern, sheet.model, states, writer)
+            // One that does not move has its last state alone.
+            let only = if sheet.animated { 0 } else { sheet.states.len().saturating_sub(1) };
+            let shown = (&sheet.states[only..], sheet.steps.get(only..).unwrap_or_default());
+            page::write(sheet.name, sheet.pattern, sheet.model, shown, writer)
         }),
         Format::Fold => write_document(&target.destination, &sheet.fold()?),
         Format::Obj => {

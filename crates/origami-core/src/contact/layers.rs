@@ -1,22 +1,26 @@
 //! A sheet whose layers push each other away: forces at its positions, and how far it may move from there.
 
+mod limits;
+mod listing;
+#[cfg(test)]
+mod tests;
+
 use glam::DVec3;
 
 use super::Contact;
-use super::barrier::{Barrier, mollifier};
-use super::limit::{Shares, limit_pair};
-use super::pairs::{Finder, Near, Pair};
+use super::barrier::Barrier;
+use super::pairs::{Finder, Near, Pair, eased};
+use super::soon::Soon;
+use super::task::{self, All, Felt, Task};
 use crate::mesh::Mesh;
 use crate::parallel;
 
-/// Pairs are listed up to so much beyond the gap, as a share of the median edge. More: lists last longer and are longer.
+/// Pairs are listed up to so much beyond the gap, as a share of the median edge.
 const SKIN: f64 = 0.1;
-/// No node moves farther in one evaluation than this share of the skin, so that no pair that is not listed can close.
+/// No node moves farther in one evaluation than this share of the skin, so that a new list has all that may close.
 const LONGEST: f64 = 0.2;
-/// A pair is looked at before a move if its gap is below so many times what both of its things may move.
-const WITHIN: f64 = 1.2;
-/// The curvature of a pair is bounded by that at this share of its gap.
-const NEARER: f64 = 0.7;
+/// No pair that is not listed is nearer than the gap and this share of the skin when others are measured one by one.
+const SPARE: f64 = 0.5;
 /// Pairs that one task measures at least.
 const TASK: usize = 512;
 
@@ -28,17 +32,27 @@ pub(crate) struct Layers {
     shared: bool,
     finder: Finder,
     skin: f64,
+    /// How far beyond the gap pairs are listed now.
+    room: f64,
     pairs: Vec<Pair>,
     /// By pair: its gap when it was last measured, and twice the `way` at that time. Its gap is now at least this less twice the
     /// way, so that most pairs need not be measured.
     due: Vec<f64>,
-    /// The largest moves of all evaluations so far, added up.
+    /// The largest moves of all evaluations so far, added up; and the last of them.
     way: f64,
-    /// Where the nodes were when the pairs were listed; empty before.
+    last: f64,
+    /// Where the nodes were when the pairs were listed, and the way then; no nodes before.
     listed_at: Vec<DVec3>,
-    /// Pairs at the present positions whose gap may be below their width, in the order of the list.
+    listed_way: f64,
+    /// Those of the pairs that may come near soon.
+    soon: Soon,
+    /// Pairs at the positions of the last [`Layers::measure`] whose gap may be below their width, in the order of the list.
     near: Vec<Near>,
+    /// How many pairs push, as last measured in either way.
+    pushing: usize,
+    tasks: Vec<Task>,
     /// Kept for their memory.
+    felt: Vec<Felt>,
     wanted: Vec<u32>,
     measured: Vec<Near>,
     gaps: Vec<f64>,
@@ -50,18 +64,26 @@ pub(crate) struct Layers {
 impl Layers {
     /// Those of a sheet with its nodes at `rest`; `shared` out among the threads of the pool or not: equal bits.
     pub(crate) fn new(mesh: &Mesh, rest: &[DVec3], contact: Contact, shared: bool) -> Self {
-        let finder = Finder::new(mesh, rest, contact);
+        let mut finder = Finder::new(mesh, rest, contact);
+        finder.shared = shared;
         let skin = SKIN * finder.median_edge();
         Self {
             contact,
             shared,
             finder,
             skin,
+            room: skin,
             pairs: Vec::new(),
             due: Vec::new(),
             way: 0.0,
+            last: 0.0,
             listed_at: Vec::new(),
+            listed_way: 0.0,
+            soon: Soon::new(),
             near: Vec::new(),
+            pushing: 0,
+            tasks: Vec::new(),
+            felt: Vec::new(),
             wanted: Vec::new(),
             measured: Vec::new(),
             gaps: Vec::new(),
@@ -82,16 +104,13 @@ impl Layers {
 
     /// Measures all pairs that may push at these positions.
     pub(crate) fn measure(&mut self, positions: &[DVec3]) {
-        let moved = |(p, listed): (&DVec3, &DVec3)| (*p - *listed).length_squared();
-        let farthest = positions.iter().zip(&self.listed_at).map(moved).fold(0.0, f64::max).sqrt();
-        if self.listed_at.is_empty() || 2.0 * farthest > 0.5 * self.skin {
-            self.list(positions);
-        }
-        let bound = self.contact.gap + 2.0 * self.way;
-        self.wanted.clear();
-        self.wanted.extend((0..).zip(&self.due).filter(|(_, due)| **due < bound).map(|(pair, _)| pair));
-        let Self { pairs, wanted, measured, .. } = self;
-        let one = |pair: &u32| pairs[*pair as usize].near(*pair, positions);
+        // Whoever measures may ask what comes near within a move.
+        let bound = self.look_for_near(positions, self.contact.gap + SPARE * self.skin);
+        let Self { pairs, soon, wanted, measured, .. } = self;
+        wanted.clear();
+        wanted.extend((0..).zip(&soon.due).filter(|(_, due)| **due < bound).map(|(i, _)| i));
+        let number = |i: &u32| soon.pairs[*i as usize].number;
+        let one = |i: &u32| pairs[number(i) as usize].near(number(i), positions);
         if self.shared && wanted.len() >= 2 * TASK {
             parallel::map_into(wanted, TASK, one, measured);
         } else {
@@ -99,19 +118,50 @@ impl Layers {
             measured.extend(wanted.iter().map(one));
         }
         std::mem::swap(&mut self.near, &mut self.measured);
-        for near in &self.near {
-            self.due[near.pair as usize] = near.gap + 2.0 * self.way;
+        for (i, near) in self.wanted.iter().zip(&self.near) {
+            self.soon.due[*i as usize] = near.gap + 2.0 * self.way;
+        }
+        self.pushing = self.pushing().count();
+    }
+
+    /// What each node feels of the pairs at these positions; empty where nothing pushes. It is what [`Layers::measure`] and
+    /// [`Layers::add`] find out, but for rounding, in less time; no pair is known for [`Layers::pushing`] then.
+    pub(crate) fn felt(&mut self, positions: &[DVec3]) -> &[Felt] {
+        let bound = self.look_for_near(positions, self.contact.gap);
+        self.near.clear();
+        self.pushing = 0;
+        if self.soon.due.iter().all(|due| *due >= bound) {
+            return &[];
+        }
+        let Self { contact, soon, tasks, way, .. } = self;
+        let widths = std::mem::take(&mut soon.widths);
+        let all = All { contact: *contact, widths: &widths, positions, bound, twice_the_way: 2.0 * *way };
+        task::run(tasks, &all, soon, self.shared);
+        soon.widths = widths;
+        self.pushing = tasks.iter().map(|task| task.pushing).sum();
+        match self.tasks.as_slice() {
+            _ if self.pushing == 0 => &[],
+            [one] => &one.felt,
+            all => {
+                self.felt.clear();
+                self.felt.resize(positions.len(), [0.0; 4]);
+                for task in all {
+                    for (sum, own) in self.felt.iter_mut().zip(&task.felt) {
+                        *sum = std::array::from_fn(|i| sum[i] + own[i]);
+                    }
+                }
+                &self.felt
+            }
         }
     }
 
-    /// Lists the pairs anew.
-    fn list(&mut self, positions: &[DVec3]) {
-        let reach = self.contact.gap + self.skin;
-        self.finder.find(positions, reach, &mut self.pairs, &mut self.gaps);
-        self.due.clear();
-        self.due.extend(self.gaps.iter().map(|gap| gap + 2.0 * self.way));
-        self.listed_at.clear();
-        self.listed_at.extend_from_slice(positions);
+    /// Sees to it that all pairs are listed whose gap may be below that, and that all are known for which it may be below the
+    /// width of contact: they are due before the result.
+    fn look_for_near(&mut self, positions: &[DVec3], listed: f64) -> f64 {
+        self.list_for(positions, listed);
+        let bound = self.contact.gap + 2.0 * self.way;
+        self.look_ahead(bound);
+        bound
     }
 
     /// The pairs that push, as last measured.
@@ -122,7 +172,7 @@ impl Layers {
 
     /// How many pairs push.
     pub(crate) fn count(&self) -> usize {
-        self.pushing().count()
+        self.pushing
     }
 
     /// The least gap of those that push, in radii; infinite where none does.
@@ -144,12 +194,9 @@ impl Layers {
     /// Adds the forces at the positions last measured, by node, and a bound on the row sums of their stiffness to `sums`.
     pub(crate) fn add(&self, positions: &[DVec3], forces: &mut [DVec3], sums: &mut [f64]) {
         for (pair, near) in self.pushing() {
-            let (factor, gradient) = eased(pair, positions);
-            let Barrier { energy, slope, .. } = Barrier::of(near.gap, pair.width, self.contact.stiffness);
-            let curvature = Barrier::of(NEARER * near.gap, pair.width, self.contact.stiffness).curvature;
-            for ((node, weight), of_factor) in pair.nodes.iter().zip(near.weights).zip(gradient) {
-                forces[node.index()] -= factor * slope * weight * near.normal + energy * of_factor;
-                sums[node.index()] += 2.0 * factor * curvature * weight.abs();
+            for (node, (force, sum)) in pair.nodes.iter().zip(pair.push(near, positions, self.contact.stiffness)) {
+                forces[node.index()] += force;
+                sums[node.index()] += sum;
             }
         }
     }
@@ -162,158 +209,9 @@ impl Layers {
         })
     }
 
-    /// Shortens moves from the positions last measured so that nothing goes through anything: no node beyond a plane between
-    /// the nearest points of a pair. Moves that are in no pair's way stay whole. The result has the share of each move that is
-    /// left, by node; all 1 where nothing was in the way.
-    pub(crate) fn limit(&mut self, positions: &[DVec3], moves: &[DVec3]) -> &[f64] {
-        self.lengths.clear();
-        self.lengths.extend(moves.iter().map(|by| by.length()));
-        self.shares.clear();
-        self.shares.resize(moves.len(), 1.0);
-        let largest = self.lengths.iter().copied().fold(0.0, f64::max);
-        let bound = 2.0 * WITHIN * largest + 2.0 * self.way;
-        let mut known = self.near.iter().peekable();
-        for (number, due) in (0..).zip(&mut self.due) {
-            if *due >= bound {
-                continue;
-            }
-            while known.next_if(|near| near.pair < number).is_some() {}
-            let pair = &self.pairs[number as usize];
-            let near = match known.peek().filter(|near| near.pair == number) {
-                Some(near) => **near,
-                None => {
-                    let own = pair.near(number, positions);
-                    *due = own.gap + 2.0 * self.way;
-                    own
-                }
-            };
-            let most = |nodes: &[crate::ids::NodeId]| nodes.iter().map(|n| self.lengths[n.index()]).fold(0.0, f64::max);
-            let (first, second) = pair.nodes.split_at(pair.split);
-            if near.gap < WITHIN * (most(first) + most(second)) {
-                limit_pair(pair, &near, (positions, moves), Shares(&mut self.shares));
-            }
-        }
-        &self.shares
-    }
-
     /// Takes note that no node moved farther than this, in radii.
     pub(crate) fn moved(&mut self, largest: f64) {
         self.way += largest;
-    }
-}
-
-fn eased(pair: &Pair, positions: &[DVec3]) -> (f64, [DVec3; 4]) {
-    if pair.split == 2 { mollifier(&pair.points(positions), pair.eased) } else { (1.0, [DVec3::ZERO; 4]) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::contact::Crossings;
-    use crate::generate::catalog;
-    use crate::model::{Material, Model};
-
-    fn model(name: &str) -> Model {
-        Model::new(&catalog::generate(name, &[]).expect("a pattern"), &Material::default()).expect("a model")
-    }
-
-    /// Numbers from -1 to 1, by a fixed sequence.
-    fn noise(seed: u64) -> impl FnMut() -> f64 {
-        let mut state = seed;
-        move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            f64::from(u32::try_from(state >> 32).expect("32 bits")) / f64::from(1_u32 << 31) - 1.0
-        }
-    }
-
-    /// A sheet crumpled at random, whose layers are near each other in every way.
-    fn crumpled(name: &str, gap: f64) -> (Vec<DVec3>, Layers) {
-        let model = model(name);
-        let mut next = noise(3);
-        let positions: Vec<DVec3> = model.rest.iter().map(|p| *p + 0.4 * DVec3::new(next(), next(), next())).collect();
-        let mut layers = Layers::new(&model.mesh, &model.rest, Contact { gap, ..Contact::default() }, true);
-        layers.measure(&positions);
-        (positions, layers)
-    }
-
-    #[test]
-    fn forces_are_the_gradient_of_the_energy_in_every_region() {
-        let (mut corners, mut insides) = (0, 0);
-        for name in ["square-twist", "waterbomb", "miura"] {
-            let (positions, mut layers) = crumpled(name, 0.1);
-            let (mut forces, mut sums) = (vec![DVec3::ZERO; positions.len()], vec![0.0; positions.len()]);
-            layers.add(&positions, &mut forces, &mut sums);
-            for (_, near) in layers.pushing() {
-                let zeros = near.weights.iter().filter(|weight| **weight == 0.0).count();
-                corners += usize::from(zeros > 0);
-                insides += usize::from(zeros == 0);
-            }
-            let size = forces.iter().map(|f| f.length()).fold(0.0, f64::max);
-            assert!(size > 0.0);
-            for node in 0..positions.len() {
-                for axis in 0..3 {
-                    let mut at = |h: f64| {
-                        let mut moved = positions.clone();
-                        moved[node][axis] += h;
-                        layers.measure(&moved);
-                        layers.energy(&moved)
-                    };
-                    // Of fourth order: gaps are as small as a hundred steps.
-                    let h = 1e-7;
-                    let slope = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
-                    let error = (slope + forces[node][axis]).abs() / size;
-                    assert!(error < 1e-7, "{name}, node {node}: {slope}, force {}", forces[node][axis]);
-                }
-            }
-        }
-        assert!(corners > 20 && insides > 20, "{corners} {insides}");
-    }
-
-    #[test]
-    fn contact_has_no_momentum_and_no_moment() {
-        let (positions, layers) = crumpled("waterbomb", 0.1);
-        let (mut forces, mut sums) = (vec![DVec3::ZERO; positions.len()], vec![0.0; positions.len()]);
-        layers.add(&positions, &mut forces, &mut sums);
-        let size: f64 = forces.iter().map(|f| f.length()).sum();
-        let sum: DVec3 = forces.iter().sum();
-        let moment: DVec3 = positions.iter().zip(&forces).map(|(p, f)| p.cross(*f)).sum();
-        assert!(sum.length() < 1e-13 * size && moment.length() < 1e-12 * size, "{sum} {moment} of {size}");
-        assert!(sums.iter().any(|sum| *sum > 0.0) && sums.iter().all(|sum| *sum >= 0.0));
-    }
-
-    /// A walk of random moves from a flat sheet, shortened or not: the steps after which it is crossed.
-    fn walk(name: &str, seed: u64, shortened: bool) -> usize {
-        let model = model(name);
-        let mut layers = Layers::new(&model.mesh, &model.rest, Contact::default(), false);
-        let (mut next, mut positions, mut crossed) = (noise(seed), model.rest.clone(), 0);
-        let mut drift: Vec<DVec3> = positions.iter().map(|_| DVec3::new(next(), next(), next())).collect();
-        for step in 0..150 {
-            if step % 40 == 39 {
-                drift.iter_mut().for_each(|by| *by = DVec3::new(next(), next(), next()));
-            }
-            let longest = layers.longest_move();
-            let moves: Vec<DVec3> = drift.iter().map(|by| *by * (longest / 1.8)).collect();
-            layers.measure(&positions);
-            let shares = layers.limit(&positions, &moves).to_vec();
-            let mut largest = 0.0_f64;
-            for ((p, by), share) in positions.iter_mut().zip(&moves).zip(shares) {
-                let by = *by * if shortened { share } else { 1.0 };
-                *p += by;
-                largest = largest.max(by.length());
-            }
-            layers.moved(largest);
-            crossed += usize::from(!Crossings::of(&model.mesh, &positions).is_empty());
-        }
-        crossed
-    }
-
-    #[test]
-    fn shortened_moves_never_cross_and_whole_ones_do() {
-        for name in ["bird-base", "square-twist", "miura"] {
-            for seed in 1..4 {
-                assert_eq!(walk(name, seed, true), 0, "{name}, seed {seed}");
-            }
-            assert!(walk(name, 1, false) > 50, "{name}: whole moves cross");
-        }
+        self.last = largest;
     }
 }

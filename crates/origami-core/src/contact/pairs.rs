@@ -3,19 +3,28 @@
 //! Pairs with a common node are left out: two triangles that share a corner or a side can only meet where a side of one meets
 //! the other with which it has no node in common, so that such a pair has closed its gap before.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
-use super::Contact;
+use super::barrier::{Barrier, mollifier};
 use super::boxes::{Bounds, BoxTree};
 use super::distance::{Nearest, of_edges, of_point_and_triangle};
+use super::sieve::{Candidate, Sieve};
 use super::wedge::{THICKEST, Wedges};
+use super::{Contact, NEARER};
 use crate::ids::NodeId;
 use crate::mesh::{Mesh, Side};
+use crate::parallel;
 
 /// Pairs come no nearer than their gap begins at this share of their distance in the flat sheet: there nothing presses.
 const OF_REST: f64 = 0.9;
 /// Edges whose directions enclose an angle of less sine squared than this are eased out ([`super::barrier::mollifier`]).
 const EASED: f64 = 1e-3;
+
+/// Things that are farther apart in the flat sheet than so many gaps push from the whole gap on; a little more than the
+/// inverse of [`OF_REST`].
+const FAR: f64 = 1.2;
 
 /// A point and a triangle, or two edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +54,11 @@ pub(super) struct Near {
 }
 
 impl Pair {
+    /// One of which nothing is known but its nodes; it never pushes.
+    pub(super) fn unmeasured(nodes: [NodeId; 4], split: usize) -> Self {
+        Self { nodes, split, closed: 0.0, width: 0.0, eased: 0.0 }
+    }
+
     pub(super) fn points(&self, positions: &[DVec3]) -> [DVec3; 4] {
         self.nodes.map(|n| positions[n.index()])
     }
@@ -62,15 +76,55 @@ impl Pair {
     }
 }
 
+impl Pair {
+    /// The force on each of its nodes as it is measured, and a bound on the row sum of its stiffness.
+    pub(super) fn push(&self, near: &Near, positions: &[DVec3], stiffness: f64) -> [(DVec3, f64); 4] {
+        let (factor, gradient) = eased(self, positions);
+        let Barrier { energy, slope, .. } = Barrier::of(near.gap, self.width, stiffness);
+        let curvature = Barrier::of(NEARER * near.gap, self.width, stiffness).curvature;
+        std::array::from_fn(|i| {
+            let weight = near.weights[i];
+            let force = -(factor * slope * weight * near.normal + energy * gradient[i]);
+            (force, 2.0 * factor * curvature * weight.abs())
+        })
+    }
+}
+
+/// The factor by which a pair at these positions pushes less, with its gradient by the four points.
+pub(super) fn eased(pair: &Pair, positions: &[DVec3]) -> (f64, [DVec3; 4]) {
+    if pair.split == 2 { mollifier(&pair.points(positions), pair.eased) } else { (1.0, [DVec3::ZERO; 4]) }
+}
+
+/// Points, or parts of a tree, that one task looks at.
+const PART: usize = 256;
+
+/// Where pairs are looked for.
+struct At<'a> {
+    positions: &'a [DVec3],
+    reach: f64,
+    triangles: Vec<Bounds>,
+    edges: Vec<Bounds>,
+    tree_of_triangles: BoxTree,
+    tree_of_edges: BoxTree,
+}
+
 /// Finds the pairs of one sheet.
 #[derive(Clone, Debug)]
 pub(super) struct Finder {
+    /// Whether many threads look for them: they find the same in the same order.
+    pub(super) shared: bool,
     /// Nodes of triangles.
     points: Vec<NodeId>,
     triangles: Vec<[NodeId; 3]>,
     /// Sides of triangles.
     edges: Vec<[NodeId; 2]>,
     rest: Vec<DVec3>,
+    /// Trees of the triangles and of the edges at rest, whose order serves elsewhere too.
+    tree_of_triangles: BoxTree,
+    tree_of_edges: BoxTree,
+    /// Balls around them at rest; the radius of an edge's is half its length.
+    balls_of_triangles: Vec<Ball>,
+    balls_of_edges: Vec<Ball>,
     /// The gap of a pair whose distance in the flat sheet is large enough.
     gap: f64,
     /// Of paper that has a thickness.
@@ -87,10 +141,16 @@ impl Finder {
         let paper: Vec<&Side> = paper.collect();
         let Contact { gap, thickness, .. } = contact;
         let wedges = (thickness > 0.0).then(|| Wedges::new(mesh, rest, &paper, thickness));
+        let edges: Vec<[NodeId; 2]> = paper.iter().map(|side| side.nodes).collect();
         Self {
+            shared: false,
             points: points.map(NodeId::new).collect(),
+            tree_of_triangles: BoxTree::new(&boxes(&mesh.triangles, rest)),
+            tree_of_edges: BoxTree::new(&boxes(&edges, rest)),
+            balls_of_triangles: mesh.triangles.iter().map(|nodes| Ball::around(nodes, rest)).collect(),
+            balls_of_edges: edges.iter().map(|nodes| Ball::around(nodes, rest)).collect(),
             triangles: mesh.triangles.clone(),
-            edges: paper.iter().map(|side| side.nodes).collect(),
+            edges,
             rest: rest.to_vec(),
             gap,
             wedges,
@@ -110,43 +170,90 @@ impl Finder {
     pub(super) fn find(&self, positions: &[DVec3], reach: f64, pairs: &mut Vec<Pair>, gaps: &mut Vec<f64>) {
         pairs.clear();
         gaps.clear();
-        let at = |n: &NodeId| positions[n.index()];
-        let farthest = reach + self.thickest;
-        let mut take = |nodes: [NodeId; 4], split: usize, numbers: [usize; 2]| {
-            let mut pair = Pair { nodes, split, closed: 0.0, width: 0.0, eased: 0.0 };
-            let distance = pair.nearest(&pair.points(positions)).apart.length();
-            if distance < farthest && self.measure(&mut pair, numbers) && distance - pair.closed < reach {
-                pairs.push(pair);
-                gaps.push(distance - pair.closed);
+        let (triangles, edges) = (boxes(&self.triangles, positions), boxes(&self.edges, positions));
+        let at = At {
+            positions,
+            reach,
+            tree_of_triangles: self.tree_of_triangles.moved(&triangles),
+            tree_of_edges: self.tree_of_edges.moved(&edges),
+            triangles,
+            edges,
+        };
+        let cut = |all: usize| (0..all).step_by(PART).map(move |from| from..all.min(from + PART));
+        let points = cut(self.points.len()).map(|part| (1, part));
+        let edges = cut(at.tree_of_edges.parts()).map(|part| (2, part));
+        if self.shared {
+            let parts: Vec<(usize, Range<usize>)> = points.chain(edges).collect();
+            let found = parallel::map(&parts, |_, (split, part)| {
+                let (mut pairs, mut gaps) = (Vec::new(), Vec::new());
+                self.find_part(&at, *split, part.clone(), &mut |pair, gap| {
+                    pairs.push(pair);
+                    gaps.push(gap);
+                });
+                (pairs, gaps)
+            });
+            for (own_pairs, own_gaps) in found {
+                pairs.extend(own_pairs);
+                gaps.extend(own_gaps);
+            }
+        } else {
+            for (split, part) in points.chain(edges) {
+                self.find_part(&at, split, part, &mut |pair, gap| {
+                    pairs.push(pair);
+                    gaps.push(gap);
+                });
+            }
+        }
+    }
+
+    /// Finds the pairs of some points, or of edges in some parts of their tree.
+    fn find_part(&self, at: &At<'_>, split: usize, part: Range<usize>, take: &mut impl FnMut(Pair, f64)) {
+        let farthest = at.reach + self.thickest;
+        let mut found = |Candidate { nodes, numbers }: Candidate, distance: f64| {
+            let mut pair = Pair::unmeasured(nodes, split);
+            if self.measure(&mut pair, numbers) && distance - pair.closed < at.reach {
+                take(pair, distance - pair.closed);
             }
         };
-        let boxes: Vec<Bounds> = self.triangles.iter().map(|nodes| Bounds::around(nodes.iter().map(at))).collect();
-        let tree = BoxTree::new(&boxes);
-        for &point in &self.points {
-            let own = Bounds::around([at(&point)]).grown(farthest);
-            tree.near(&own, |triangle| {
-                let [a, b, c] = self.triangles[triangle];
-                if boxes[triangle].meets(&own) && ![a, b, c].contains(&point) {
-                    take([point, a, b, c], 1, [0, triangle]);
+        let mut sieve = Sieve::new(split == 2, at.positions, farthest);
+        if split == 1 {
+            for &point in &self.points[part] {
+                let own = Bounds::around([at.positions[point.index()]]).grown(farthest);
+                at.tree_of_triangles.near(&own, |triangle| {
+                    let [a, b, c] = self.triangles[triangle];
+                    if at.triangles[triangle].meets(&own) && ![a, b, c].contains(&point) {
+                        sieve.take(Candidate { nodes: [point, a, b, c], numbers: [0, triangle] }, &mut found);
+                    }
+                });
+            }
+        } else {
+            at.tree_of_edges.near_each_other(part, (&at.edges, farthest), |[first, second]| {
+                let ([p, q], [r, s]) = (self.edges[first], self.edges[second]);
+                let meet = at.edges[second].meets(&at.edges[first].grown(farthest));
+                if meet && ![r, s].contains(&p) && ![r, s].contains(&q) {
+                    sieve.take(Candidate { nodes: [p, q, r, s], numbers: [first, second] }, &mut found);
                 }
             });
         }
-        let boxes: Vec<Bounds> = self.edges.iter().map(|nodes| Bounds::around(nodes.iter().map(at))).collect();
-        let tree = BoxTree::new(&boxes);
-        for (first, &[p, q]) in self.edges.iter().enumerate() {
-            let own = boxes[first].grown(farthest);
-            tree.near(&own, |second| {
-                let [r, s] = self.edges[second];
-                if second > first && boxes[second].meets(&own) && ![r, s].contains(&p) && ![r, s].contains(&q) {
-                    take([p, q, r, s], 2, [first, second]);
-                }
-            });
-        }
+        sieve.sift(&mut found);
     }
 
     /// The gap and the thickness of a pair: less where it is narrow in the flat sheet. `numbers` are those of the triangle, or
     /// of both edges. False for one that touches there, such as the two lips of a cut: nothing can be said of it.
     fn measure(&self, pair: &mut Pair, numbers: [usize; 2]) -> bool {
+        let far = match pair.split {
+            1 => self.balls_of_triangles[numbers[1]]
+                .is_apart(&Ball { at: self.rest[pair.nodes[0].index()], radius: 0.0 }, FAR * self.gap),
+            _ => {
+                let [one, other] = numbers.map(|edge| &self.balls_of_edges[edge]);
+                pair.eased = 16.0 * EASED * one.radius.powi(2) * other.radius.powi(2);
+                one.is_apart(other, FAR * self.gap)
+            }
+        };
+        if self.wedges.is_none() && far {
+            pair.width = self.gap;
+            return true;
+        }
         let points = pair.points(&self.rest);
         let at_rest = pair.nearest(&points).apart.length();
         let thickness = self.wedges.as_ref().map_or(0.0, |wedges| match pair.split {
@@ -156,10 +263,33 @@ impl Finder {
         let scale = (OF_REST * at_rest / (thickness + self.gap)).min(1.0);
         pair.width = scale * self.gap;
         pair.closed = scale * thickness;
-        if pair.split == 2 {
-            let [p, q, r, s] = points;
-            pair.eased = EASED * (q - p).length_squared() * (s - r).length_squared();
-        }
         pair.width > 0.0
+    }
+}
+
+/// The boxes around things of so many nodes.
+fn boxes<const N: usize>(things: &[[NodeId; N]], positions: &[DVec3]) -> Vec<Bounds> {
+    let around = |nodes: &[NodeId; N]| Bounds::around(nodes.map(|n| positions[n.index()]));
+    things.iter().map(around).collect()
+}
+
+/// A ball around a thing.
+#[derive(Clone, Copy, Debug)]
+struct Ball {
+    at: DVec3,
+    radius: f64,
+}
+
+impl Ball {
+    /// About the middle of the first two of its nodes.
+    fn around(nodes: &[NodeId], positions: &[DVec3]) -> Self {
+        let place = |n: &NodeId| positions[n.index()];
+        let at = 0.5 * (place(&nodes[0]) + place(&nodes[1]));
+        Self { at, radius: nodes.iter().map(|n| (place(n) - at).length()).fold(0.0, f64::max) }
+    }
+
+    /// Whether two things are surely farther apart than that.
+    fn is_apart(&self, other: &Self, distance: f64) -> bool {
+        (self.at - other.at).length_squared() > (distance + self.radius + other.radius).powi(2)
     }
 }

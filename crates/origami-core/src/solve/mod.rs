@@ -10,6 +10,7 @@
 
 #[doc(hidden)]
 pub mod attempt;
+mod backwards;
 mod bare_kernel;
 mod clock;
 mod clusters;
@@ -48,6 +49,7 @@ mod sweep;
 mod threads;
 pub mod time_step;
 
+pub use backwards::{Backwards, Motion, NotBackwards};
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
 pub use contact_end::{Touch, Touching};

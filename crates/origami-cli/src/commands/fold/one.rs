@@ -117,13 +117,18 @@ fn attempt(
         let over = end.is_some_and(|end| Instant::now() >= end);
         if over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let (mut steps, mut touches) = (Vec::new(), Vec::new());
+    let (mut steps, mut touches, mut orders) = (Vec::new(), Vec::new(), None);
     let mut path = |percents: &[f64], before: usize| {
         let gone = match (&stages, settings.contact.map(|asked| asked.of(&model)), &settings.method) {
             (Some(stages), contact, Method::Relax(relax)) => {
                 // How many stages there are is not known where the way is told.
                 let mut watched = |_, progress| watched(0, progress);
                 order::in_steps(&model, (relax, contact), &start, (stages, settings.parts), &mut watched)?
+            }
+            (None, Some(contact), Method::Relax(relax)) if settings.backwards.is_some() => {
+                let stages = settings.backwards.unwrap_or(1);
+                let mut watched = |progress| watched(0, progress);
+                order::backwards(&model, (relax, contact), stages, &mut watched)?
             }
             (None, Some(contact), Method::Relax(relax)) => {
                 let mut watched = |stage, progress| watched(before + stage, progress);
@@ -136,7 +141,7 @@ fn attempt(
             }
         };
         if before == 0 {
-            (steps, touches) = (gone.steps, gone.touches);
+            (steps, touches, orders) = (gone.steps, gone.touches, gone.orders);
         }
         Ok(gone.states)
     };
@@ -167,7 +172,7 @@ fn attempt(
     let (mut states, mut shown) = match solved {
         Ok(solved) => solved,
         Err(failed) => {
-            let Failed::Diverged(diverged) = &*failed.failed else {
+            let Some(Failed::Diverged(diverged)) = failed.failed.as_deref() else {
                 return Ok(refused(input, &failed.message, told));
             };
             run.measured = Measured {
@@ -223,6 +228,7 @@ fn attempt(
         model: &model,
         states: &states,
         steps: &steps,
+        orders: orders.as_deref(),
         animated: settings.animated,
         artist: &artist,
         thickness: settings.contact.and_then(|asked| asked.thickness),
@@ -306,6 +312,7 @@ fn draw_pattern(
         model,
         states: &[],
         steps: &[],
+        orders: None,
         animated: false,
         artist: &artist,
         thickness: None,

@@ -101,10 +101,9 @@ impl PairList {
 /// Constants that the shaders share, by the names that they have there.
 #[doc(hidden)]
 pub mod constants {
-    pub use super::super::NEARER;
+    pub use super::super::barrier::NEARER;
     pub use super::super::distance::PARALLEL;
-    pub use super::super::layers::WITHIN;
-    pub use super::super::limit::USABLE;
+    pub use super::super::limit::{USABLE, WITHIN};
 }
 
 /// Contact by the plain formulas, for whoever computes it in another way and compares.

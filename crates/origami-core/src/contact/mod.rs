@@ -29,8 +29,5 @@ pub use list::{ListedPair, PairList};
 pub use pressing::Pressing;
 pub use settings::Contact;
 
-/// The curvature of a pair is bounded by that at this share of its gap.
-pub const NEARER: f64 = 0.7;
-
 pub(crate) use layers::Layers;
 pub(crate) use pressing::pressing;

@@ -38,9 +38,11 @@ pub(super) struct Run<'a> {
     /// By node, of springs and contact.
     pub(super) forces: Vec<DVec3>,
     pub(super) moves: Vec<DVec3>,
-    /// By node: row sums of the springs, and of the contact too.
-    pub(super) springs: Vec<f64>,
-    pub(super) masses: Vec<f64>,
+    /// By node: row sums of the springs, with their inverses.
+    pub(super) springs: Vec<[f64; 2]>,
+    /// The same with those of contact; of no use where nothing is felt of it.
+    pub(super) masses: Vec<[f64; 2]>,
+    pub(super) felt: bool,
     pub(super) steps: u64,
     /// The evaluation at which the ramp was done.
     arrived: u64,
@@ -89,8 +91,9 @@ impl<'a> Run<'a> {
             velocities: vec![DVec3::ZERO; nodes],
             forces: vec![DVec3::ZERO; nodes],
             moves: vec![DVec3::ZERO; nodes],
-            springs: vec![0.0; nodes],
-            masses: vec![0.0; nodes],
+            springs: vec![[0.0; 2]; nodes],
+            masses: vec![[0.0; 2]; nodes],
+            felt: false,
             steps: 0,
             arrived: 0,
             last_limited: 0,

@@ -1,34 +1,28 @@
-//! Relaxation under contact on a GPU: the shaders go on until their list of pairs is spent, and the processor makes another.
+//! Relaxation under contact on a GPU.
+
+mod run;
 
 use std::ops::ControlFlow;
 
-use glam::DVec3;
 use origami_core::contact::{Contact, Crossings, PairList};
-use origami_core::mesh::Mesh;
 use origami_core::model::{Inventory, Model};
 use origami_core::scene::{Refusal, Scene};
 use origami_core::solve::attempt::Attempt;
-use origami_core::solve::contact_end::{Came, Ended, patience};
+use origami_core::solve::contact_end::patience;
 use origami_core::solve::{ContactRelax, Failed, Folded, Instance, Progress, Session, Solver, State, Touch, Touching};
-use origami_core::twins::checkpoint::COPY_EVERY;
 
 use crate::device::Gpu;
 use crate::engine::Engine;
 use crate::error::{GPU, GpuError};
-use crate::kernels::Binding;
-use crate::layout::{self, Control, CreaseState, HELD_UP, NONE, Node, SETTLED, SPENT};
-use crate::leaving::Leaving;
-use crate::outcome::{backend, distance, diverged, progress, state};
+use crate::outcome::backend;
 use crate::outside::Outside;
-use crate::pair_arrays::PairArrays;
 use crate::run::Beginning;
-use crate::variant::{InContact, Scheme};
+use crate::variant::InContact;
 use crate::{inventory, relax, single};
+use run::{End, Run};
 
 /// The least gap that f32 bears, in radii. Distances come with an error of some 5e-8 where edges are as long as the sheet.
 const LEAST_GAP: f64 = 1e-4;
-/// Evaluations that are submitted at once: twice as many as the last list has lasted for, between these.
-const BATCH: [u64; 2] = [4, 100];
 
 impl Gpu {
     /// `method` computed here instead of on the processor.
@@ -145,17 +139,10 @@ impl ContactOnModel<'_> {
         if list.least_gap() <= 0.0 {
             return Err(refused(Refusal::Closed { gap: list.least_gap() }));
         }
-        let mut run = Run {
-            instance: &instance,
-            targets: beginning.targets.clone(),
-            limit: beginning.limit.min(u64::from(u32::MAX)),
-            most_pairs: 0,
-            last: beginning.state.clone(),
-            at: 0,
-            list,
-        };
+        let longest_move = list.longest_move();
+        let mut run = Run::new(&instance, &beginning, list);
         let steps_asked = self.method.relax.steps.is_some();
-        let gone = self.engine(scene, &run.list).and_then(|engine| {
+        let gone = self.engine(scene, longest_move).and_then(|engine| {
             engine.load(0, &[beginning])?;
             engine.forget_contact()?;
             let stands = run.go(engine, observe)?;
@@ -188,7 +175,7 @@ impl ContactOnModel<'_> {
     }
 
     /// The engine, built once more where a scene brings supports or loads for which it has no room.
-    fn engine(&mut self, scene: &Scene, list: &PairList) -> Result<&mut Engine, GpuError> {
+    fn engine(&mut self, scene: &Scene, longest_move: f64) -> Result<&mut Engine, GpuError> {
         let before = self.engine.take();
         let engine = match before {
             Some(engine) if engine.outside().covers(scene) => engine,
@@ -197,7 +184,7 @@ impl ContactOnModel<'_> {
                 let contact = InContact {
                     stiffness: self.method.contact.stiffness,
                     thick: self.method.contact.thickness > 0.0,
-                    longest_move: list.longest_move(),
+                    longest_move,
                     patience: patience(self.model),
                 };
                 Engine::in_contact(self.gpu, self.model, &outside, contact)?
@@ -227,124 +214,134 @@ fn check(method: &ContactRelax) -> Result<(), Refusal> {
     single::check("tolerance", method.relax.tolerance)
 }
 
-/// Where a run has come to.
-enum End {
-    Came(Box<Came>),
-    Diverged(Box<Failed>),
-}
-
-/// One fold.
-struct Run<'i, 'm> {
-    instance: &'i Instance<'m>,
-    targets: Vec<f64>,
-    list: PairList,
-    limit: u64,
-    most_pairs: usize,
-    /// The last state that was read and has no crossings, and the evaluations up to it.
-    last: State,
-    at: u64,
-}
-
-impl Run<'_, '_> {
-    /// Goes until the sheet stands still; tells where, and whether it was broken off.
-    fn go(
-        &mut self,
-        engine: &mut Engine,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<(Control, bool), GpuError> {
-        self.hand_over_list(engine)?;
-        let (mut control, mut listed_at, mut batch) = (Control { bad_node: NONE, ..Control::default() }, 0, BATCH[1]);
-        loop {
-            let from = u64::from(control.step);
-            if from >= self.limit && control.step > 0 || self.limit == 0 {
-                return Ok((control, false));
-            }
-            let to = (from + batch).min(self.limit);
-            let controls = engine.submit(1, from, to)?.wait(&engine.gpu)?;
-            engine.check_steps(&controls, to)?;
-            control = controls.first().copied().unwrap_or(control);
-            let is_cancelled = observe(progress(&control)).is_break();
-            if is_cancelled || control.bad_node != NONE || ![0, SPENT].contains(&control.stop) {
-                return Ok((control, is_cancelled));
-            }
-            if control.stop == SPENT {
-                let nodes: Vec<Node> = engine.read(Binding::Nodes, engine.variant.nodes)?;
-                self.take(state(&nodes, &[], Vec::new()).positions, u64::from(control.step))?;
-                self.list.list_on(&self.last.positions);
-                self.hand_over_list(engine)?;
-                engine.go_on()?;
-                control.stop = 0;
-                batch = (2 * (self.at - listed_at)).clamp(BATCH[0], BATCH[1]);
-                listed_at = self.at;
-            }
-        }
-    }
-
-    fn hand_over_list(&mut self, engine: &mut Engine) -> Result<(), GpuError> {
-        self.most_pairs = self.most_pairs.max(self.list.pairs().len());
-        engine.list(&PairArrays::new(engine.variant.nodes, &self.list))
-    }
-
-    /// Takes note of positions that were read, where they have no crossings.
-    fn take(&mut self, positions: Vec<DVec3>, step: u64) -> Result<(), GpuError> {
-        check_crossings(&self.instance.model.mesh, &positions, step)?;
-        (self.last.positions, self.at) = (positions, step);
-        Ok(())
-    }
-
-    /// Where it has come to; `steps_asked`: it was to run so many evaluations, and not to stop before.
-    fn end(
-        &mut self,
-        engine: &Engine,
-        (control, cancelled): (Control, bool),
-        steps_asked: bool,
-    ) -> Result<End, GpuError> {
-        let model = self.instance.model;
-        if control.bad_node != NONE {
-            let endings = Leaving::new(engine, &[(0, None)], cancelled, true)?.wait(engine)?;
-            if let Some(ending) = endings.first() {
-                let diverged = diverged(model, ending, std::mem::take(&mut self.targets), Scheme::Relax);
-                return Ok(End::Diverged(Box::new(diverged.into())));
-            }
-        }
-        let nodes: Vec<Node> = engine.read(Binding::Nodes, model.node_count())?;
-        let creases: Vec<CreaseState> = engine.read(Binding::CreaseStates, model.creases.len())?;
-        let touch: Vec<layout::Touch> = engine.read(Binding::Touch, 1)?;
-        let touch = touch.first().copied().unwrap_or_default();
-        let state = state(&nodes, &creases, std::mem::take(&mut self.targets));
-        self.take(state.positions.clone(), u64::from(control.step))?;
-        let is_recent = touch.limited > 0 && u64::from(control.step - touch.last_limited) <= COPY_EVERY;
-        let arrived = control.ramp_step >= control.ramp_length;
-        let first = || f64::from(touch.first_limited) / f64::from(control.ramp_length.max(1));
-        Ok(End::Came(Box::new(Came {
-            state,
-            ended: match control.stop {
-                SETTLED => Ended::Settled,
-                _ if cancelled => Ended::Cancelled,
-                _ if steps_asked => Ended::StepsDone,
-                HELD_UP => Ended::HeldUp,
-                _ => Ended::Limit(arrived, is_recent),
-            },
-            steps: u64::from(control.step),
-            time_step: f64::from(control.fire_step),
-            distance: distance(&control),
-            first_limited: (touch.limited > 0).then(|| if control.ramp_length == 0 { 1.0 } else { first() }),
-            limited: u64::from(touch.limited),
-            most_pairs: self.most_pairs,
-        })))
-    }
-}
-
-/// Whether a state that was read goes through itself.
-///
-/// # Errors
-/// [`GpuError::Crossed`].
-fn check_crossings(mesh: &Mesh, positions: &[DVec3], step: u64) -> Result<(), GpuError> {
-    match Crossings::of(mesh, positions).faces.first() {
-        Some([one, other]) => Err(GpuError::Crossed { step, faces: [one.0, other.0] }),
-        None => Ok(()),
-    }
-}
-
 #[cfg(test)]
-mod tests;
+mod tests {
+    use origami_core::contact::Crossings;
+    use origami_core::solve::{Relax, Stop, unwatched};
+
+    use super::*;
+    use crate::testing::gpu;
+    use crate::testing::layers::model;
+
+    /// How far a fold angle may be from the processor's, in degrees: where layers touch, sheets slide a little.
+    const ANGLE: f64 = 1.0;
+
+    /// Largest difference between two lists of angles, in degrees.
+    fn apart(a: &[f64], b: &[f64]) -> f64 {
+        a.iter().zip(b).map(|(a, b)| (a - b).abs().to_degrees()).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn sheets_come_to_the_states_of_the_processor_without_crossings() {
+        let Some(gpu) = gpu() else { return };
+        let solver = ContactRelax::default();
+        let on_gpu = gpu.with_contact(solver.clone());
+        for name in ["bird-base", "square-twist", "miura", "waterbomb"] {
+            let model = model(name);
+            let start = State::at_rest(&model);
+            let mut session = on_gpu.on(&model);
+            for percent in [60.0, 100.0] {
+                let scene = Scene::percent(percent);
+                // Each from rest, with the same buffers.
+                session.method = solver.clone();
+                let begun = std::time::Instant::now();
+                let (own, touch) = session.fold_touching(&start, &scene, &mut unwatched).expect("it folds");
+                let seconds = begun.elapsed().as_secs_f64();
+                let (cpu, plain) = solver.fold_touching(&model, &start, &scene, &mut unwatched).expect("it folds");
+                let far = apart(&own.state.fold_angles, &cpu.state.fold_angles);
+                println!(
+                    "{name} at {percent} %: {} and {} evaluations, angles {far:.4} degrees apart, gaps {:.1e} and {:.1e}, pairs {} and {}, {seconds:.2} s",
+                    own.steps, cpu.steps, touch.least_gap, plain.least_gap, touch.most_pairs, plain.most_pairs,
+                );
+                assert_eq!((own.stop, cpu.stop), (Stop::Converged, Stop::Converged), "{name} at {percent} %");
+                assert!(far < ANGLE, "{name} at {percent} %: {far} degrees");
+                assert!(Crossings::of(&model.mesh, &own.state.positions).is_empty(), "{name} at {percent} %");
+                assert_eq!(touch.least_gap.is_finite(), percent > 99.0, "{name} at {percent} %");
+            }
+        }
+    }
+
+    #[test]
+    fn a_crane_is_blocked_by_the_faces_that_press() {
+        let Some(gpu) = gpu() else { return };
+        let model = model("crane");
+        let solver = gpu.with_contact(ContactRelax::default());
+        let begun = std::time::Instant::now();
+        let folded = solver.fold_touching(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched);
+        let (folded, touch) = folded.expect("it folds");
+        println!(
+            "crane: {} evaluations, {} limited, {:?} {:.1} s",
+            folded.steps,
+            touch.limited,
+            touch.pressing.first(),
+            begun.elapsed().as_secs_f64()
+        );
+        assert_eq!(folded.stop, Stop::Blocked);
+        assert!(touch.pressing.first().is_some_and(|hardest| hardest.force > 0.0 && hardest.gap > 0.0));
+        assert!(touch.first_limited.is_some_and(|share| share > 0.3 && share < 1.0), "{:?}", touch.first_limited);
+        assert!(touch.farthest.is_some_and(|(_, off)| off > 10_f64.to_radians()));
+    }
+
+    #[test]
+    fn equal_input_gives_equal_bits_whatever_is_submitted_at_once() {
+        let Some(gpu) = gpu() else { return };
+        let model = model("square-twist");
+        let relax = Relax { steps: Some(700), ..Relax::default() };
+        let solver = gpu.with_contact(ContactRelax { relax, ..ContactRelax::default() });
+        let mut session = solver.on(&model);
+        let fold = |session: &mut ContactOnModel<'_>| {
+            session.method.relax.perturbation = 1e-2;
+            let folded = session.fold_touching(&State::at_rest(&model), &Scene::percent(100.0), &mut unwatched);
+            let (folded, touch) = folded.expect("it folds");
+            assert_eq!((folded.stop, folded.steps), (Stop::StepsDone, 700));
+            assert!(touch.limited > 0);
+            (folded.state, touch)
+        };
+        assert_eq!(fold(&mut session), fold(&mut session));
+    }
+
+    #[test]
+    fn what_f32_does_not_bear_is_refused_by_name() {
+        let Some(gpu) = gpu() else { return };
+        let model = model("bird-base");
+        let told = |contact: Contact, start: &State| {
+            let relax = Relax { perturbation: 0.0, ..Relax::default() };
+            let solver = gpu.with_contact(ContactRelax { relax, contact });
+            let failed =
+                solver.fold_touching(&model, start, &Scene::percent(50.0), &mut unwatched).expect_err("refused");
+            assert!(matches!(failed, Failed::Refused { .. }), "{failed}");
+            failed.to_string()
+        };
+        let flat = State::at_rest(&model);
+        let gap = told(Contact { gap: 1e-5, ..Contact::default() }, &flat);
+        assert!(gap.contains("contact gap in radii: 1e-5") && gap.contains("f32"), "{gap}");
+        let gap = told(Contact::thick(5e-4), &flat);
+        assert!(gap.contains("contact gap"), "a tenth of the thickness: {gap}");
+        let stiff = told(Contact { stiffness: 1e40, ..Contact::default() }, &flat);
+        assert!(stiff.contains("contact stiffness: 1e40"), "{stiff}");
+        assert!(told(Contact { gap: f64::NAN, ..Contact::default() }, &flat).contains("gap NaN"));
+        // Folded as far as it goes without contact.
+        let crossed = Relax::default().fold_from_rest(&model, 100.0).expect("it folds").state;
+        assert!(told(Contact::default(), &crossed).contains("cross where it begins"));
+    }
+
+    #[test]
+    fn sheets_with_thickness_keep_it() {
+        let Some(gpu) = gpu() else { return };
+        let model = model("strip");
+        let contact = Contact::thick(0.01);
+        let solver = ContactRelax { contact, ..ContactRelax::default() };
+        let fold = |solver: &dyn Touching| {
+            let folded = solver.fold_touching(&model, &State::at_rest(&model), &Scene::percent(100.0), &mut unwatched);
+            folded.expect("it folds")
+        };
+        let ((own, touch), (cpu, _)) = (fold(&gpu.with_contact(solver.clone())), fold(&solver));
+        assert_eq!(own.stop, cpu.stop);
+        let far = apart(&own.state.fold_angles, &cpu.state.fold_angles);
+        println!(
+            "strip, thick: {} {} evaluations, {far:.4} degrees apart, gap {:.1e}",
+            own.steps, cpu.steps, touch.least_gap
+        );
+        assert!(far < ANGLE && touch.least_gap > 0.0, "{far}");
+    }
+}

@@ -1,5 +1,7 @@
 //! A sheet whose layers push each other away: forces at its positions, and how far it may move from there.
 
+mod closing;
+
 use glam::DVec3;
 
 use super::Contact;
@@ -27,7 +29,9 @@ pub(crate) struct Layers {
     /// Whether many pairs are measured by many threads.
     shared: bool,
     finder: Finder,
+    /// As wide as moves ask for, and no less than `least_skin`.
     skin: f64,
+    least_skin: f64,
     pairs: Vec<Pair>,
     /// By pair: its gap when it was last measured, and twice the `way` at that time. Its gap is now at least this less twice the
     /// way, so that most pairs need not be measured.
@@ -57,6 +61,7 @@ impl Layers {
             shared,
             finder,
             skin,
+            least_skin: skin,
             pairs: Vec::new(),
             due: Vec::new(),
             way: 0.0,
@@ -130,8 +135,13 @@ impl Layers {
         self.pushing().map(|(_, near)| near.gap).fold(f64::INFINITY, f64::min)
     }
 
+    /// How stiff the push is.
+    #[cfg(feature = "newton")]
+    pub(super) fn stiffness(&self) -> f64 {
+        self.contact.stiffness
+    }
+
     /// The energy of all gaps, as last measured.
-    #[cfg(test)]
     pub(crate) fn energy(&self, positions: &[DVec3]) -> f64 {
         self.pushing()
             .map(|(pair, near)| {

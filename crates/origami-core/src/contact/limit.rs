@@ -13,7 +13,7 @@ use crate::ids::NodeId;
 /// The share of a gap that one move may use up.
 const USABLE: f64 = 0.5;
 /// The share of a pair's width that is never used up: without it gaps would shrink to nothing by halves.
-const FLOOR: f64 = 1e-3;
+pub(super) const FLOOR: f64 = 1e-3;
 
 /// By node the share of its move that it may make; only ever made less.
 pub(super) struct Shares<'a>(pub(super) &'a mut [f64]);

@@ -10,6 +10,8 @@ mod barrier;
 mod boxes;
 mod crossings;
 mod distance;
+#[cfg(feature = "newton")]
+pub(crate) mod hessian;
 mod layers;
 mod limit;
 mod pairs;

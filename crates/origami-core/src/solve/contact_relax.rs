@@ -15,10 +15,10 @@ use super::row_sums::row_sums;
 use super::settle::Settling;
 use super::surroundings::Surroundings;
 use super::threads::{count, share};
+use super::touch::{Touch, is_held_up};
 use super::{Failed, Folded, Precision, Progress, REPORT, Relax, Solver, State, Stop, unwatched};
-use crate::contact::{Contact, Crossings, Layers, Pressing, pressing};
+use crate::contact::{Contact, Crossings, Layers};
 use crate::forces::Forces;
-use crate::ids::CreaseId;
 use crate::kernel::{Bounds, Kernel};
 use crate::model::{Inventory, Model};
 use crate::scene::{Refusal, Scene};
@@ -26,8 +26,6 @@ use crate::twins::checkpoint::COPY_EVERY;
 use crate::twins::fire_update::{Decision, Fire, HOLD, RENEWAL, Sums, fire_update};
 use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
 
-/// A sheet at rest under contact that is farther than this from an angle asked of it is blocked, in degrees.
-const OFF: f64 = 10.0;
 /// Ramps for which it goes on at the final targets while contact holds it up.
 const PATIENCE: u64 = 10;
 
@@ -42,24 +40,6 @@ pub struct ContactRelax {
     pub relax: Relax,
     /// How paper keeps away from paper.
     pub contact: Contact,
-}
-
-/// What contact did on a way to a state.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct Touch {
-    /// The faces that press at the end, the hardest first.
-    pub pressing: Vec<Pressing>,
-    /// The share of the way to the targets, 0 to 1, at which a move was first shortened; `None`: nothing was ever in the way.
-    pub first_limited: Option<f64>,
-    /// Evaluations in which some move was shortened.
-    pub limited: u64,
-    /// The least gap at the end, in radii; infinite where nothing touches.
-    pub least_gap: f64,
-    /// The crease that is farthest from the angle asked of it, and how far, in radians.
-    pub farthest: Option<(CreaseId, f64)>,
-    /// Most pairs that were listed at one time.
-    pub most_pairs: usize,
 }
 
 impl Solver for ContactRelax {
@@ -120,41 +100,55 @@ impl ContactRelax {
     ) -> Result<(Folded, Touch), Failed> {
         let refused = |refusal| Failed::refused(refusal, start);
         self.relax.check(model, scene).map_err(refused)?;
-        self.check(scene).map_err(refused)?;
+        check_contact(self.contact, self.relax.precision, scene).map_err(refused)?;
         let targets = scene.targets.of(model).map_err(refused)?;
         let positions = self.relax.first_positions(model, start, scene, &targets);
         let mut run = Run::new(self, (model, scene, start), (positions, targets), threads)?;
         let stop = run.go(observe, look)?;
         Ok(run.into_folded(stop))
     }
+}
 
-    fn check(&self, scene: &Scene) -> Result<(), Refusal> {
-        let Contact { gap, stiffness, thickness } = self.contact;
-        for (what, value) in [("gap", gap), ("stiffness", stiffness)] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(Refusal::Contact { what, value });
-            }
-        }
-        if !(thickness.is_finite() && thickness >= 0.0) {
-            return Err(Refusal::Contact { what: "thickness", value: thickness });
-        }
-        if self.relax.precision != Precision::F64 {
-            return Err(Refusal::Unsupported {
-                what: "numbers of mixed precision",
-                backend: "contact",
-                expected: "f64",
-            });
-        }
-        if scene.forces.is_empty() {
-            Ok(())
-        } else {
-            Err(Refusal::Unsupported {
-                what: "forces",
-                backend: "contact",
-                expected: "a scene without forces of one's own",
-            })
+/// Whether a sheet can be folded so in a scene, in numbers of that precision.
+pub(super) fn check_contact(contact: Contact, precision: Precision, scene: &Scene) -> Result<(), Refusal> {
+    let Contact { gap, stiffness, thickness } = contact;
+    for (what, value) in [("gap", gap), ("stiffness", stiffness)] {
+        if !(value.is_finite() && value > 0.0) {
+            return Err(Refusal::Contact { what, value });
         }
     }
+    if !(thickness.is_finite() && thickness >= 0.0) {
+        return Err(Refusal::Contact { what: "thickness", value: thickness });
+    }
+    if precision != Precision::F64 {
+        return Err(Refusal::Unsupported { what: "numbers of mixed precision", backend: "contact", expected: "f64" });
+    }
+    if scene.forces.is_empty() {
+        Ok(())
+    } else {
+        let expected = "a scene without forces of one's own";
+        Err(Refusal::Unsupported { what: "forces", backend: "contact", expected })
+    }
+}
+
+/// The layers of a sheet that begins at `positions`, measured there; `shared` as for [`Layers::new`]. Refused where it begins
+/// crossed or closed.
+pub(super) fn first_layers(
+    model: &Model,
+    positions: &[DVec3],
+    contact: Contact,
+    shared: bool,
+) -> Result<Layers, Refusal> {
+    let crossings = Crossings::of(&model.mesh, positions);
+    if let Some([one, other]) = crossings.faces.first() {
+        return Err(Refusal::Crossed { faces: [*one, *other] });
+    }
+    let mut layers = Layers::new(&model.mesh, &model.rest, contact, shared);
+    layers.measure(positions);
+    if layers.least_gap() <= 0.0 {
+        return Err(Refusal::Closed { gap: layers.least_gap() });
+    }
+    Ok(layers)
 }
 
 /// One fold.
@@ -200,15 +194,7 @@ impl<'a> Run<'a> {
         let mut surroundings = Surroundings::new(model, scene);
         surroundings.install(model, &mut kernel);
         kernel.set_targets(ramp.targets());
-        let crossings = Crossings::of(&model.mesh, &positions);
-        if let Some([one, other]) = crossings.faces.first() {
-            return Err(refused(Refusal::Crossed { faces: [*one, *other] }));
-        }
-        let mut layers = Layers::new(&model.mesh, &model.rest, solver.contact, threads > 1);
-        layers.measure(&positions);
-        if layers.least_gap() <= 0.0 {
-            return Err(refused(Refusal::Closed { gap: layers.least_gap() }));
-        }
+        let layers = first_layers(model, &positions, solver.contact, threads > 1).map_err(refused)?;
         let nodes = model.node_count();
         Ok(Self {
             solver,
@@ -352,17 +338,10 @@ impl<'a> Run<'a> {
         self.touch.limited > 0 && self.steps - self.last_limited <= COPY_EVERY
     }
 
-    /// Whether layers press, and a crease is far from the angle asked of it.
     fn is_held_up(&self) -> bool {
-        self.layers.count() > 0 && self.farthest().is_some_and(|(_, off)| off > OFF.to_radians())
-    }
-
-    fn farthest(&self) -> Option<(CreaseId, f64)> {
         let mut angles = vec![0.0; self.model.creases.len()];
         self.kernel.read_angles(&mut angles);
-        let off = angles.iter().zip(self.ramp.asked()).map(|(reached, asked)| (reached - asked).abs());
-        let all = off.enumerate().map(|(crease, off)| (CreaseId::new(crease), off));
-        all.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
+        is_held_up(&self.layers, &angles, self.ramp.asked())
     }
 
     /// All that moves, without targets.
@@ -378,15 +357,10 @@ impl<'a> Run<'a> {
         self.kernel.set_positions(&self.positions);
         self.kernel.springs(false);
         self.layers.measure(&self.positions);
-        let touch = Touch {
-            pressing: pressing(&self.model.mesh, &self.layers, &self.positions),
-            least_gap: self.layers.least_gap(),
-            farthest: self.farthest(),
-            ..std::mem::take(&mut self.touch)
-        };
         let mut state = self.state();
         state.velocities.fill(DVec3::ZERO);
         state.targets = self.ramp.into_asked();
+        let touch = self.touch.at_end(self.model, &self.layers, &state);
         let held = self.surroundings.held().clone();
         let mut forces = Forces::holding(self.model, self.scene, held.clone());
         let mut all = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles).to_vec();

@@ -13,6 +13,7 @@ pub mod attempt;
 mod bare_kernel;
 mod clock;
 mod clusters;
+mod contact_dynamics;
 mod contact_relax;
 mod crushed;
 mod driver;
@@ -45,10 +46,12 @@ mod surroundings;
 mod sweep;
 mod threads;
 pub mod time_step;
+mod touch;
 
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
-pub use contact_relax::{ContactRelax, Touch};
+pub use contact_dynamics::ContactDynamics;
+pub use contact_relax::ContactRelax;
 pub use crushed::{CRUSHED, crushed_triangles};
 pub use driver::{Folded, Instance, Progress, Session, Solver, Stop, unwatched};
 pub use dynamics::Dynamics;
@@ -57,7 +60,7 @@ pub use failed::Failed;
 pub use guard::{Diverged, Quantity};
 pub use integrator::Integrator;
 #[cfg(feature = "newton")]
-pub use newton::Newton;
+pub use newton::{ContactNewton, Newton};
 pub use path::{PathFailed, fold_path, fold_path_from, frame_percents};
 pub use positions::{Positions, Units};
 pub use precision::Precision;
@@ -72,6 +75,7 @@ pub use sweep::{Point, Sweep};
 #[doc(hidden)]
 pub use threads::NODES_A_THREAD;
 pub use time_step::TimeStep;
+pub use touch::Touch;
 
 /// A fold angle past this many degrees means that layers have gone through each other and the state is tangled.
 pub const TANGLED_DEGREES: f64 = 200.0;

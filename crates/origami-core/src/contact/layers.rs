@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::Contact;
 use super::barrier::{Barrier, mollifier};
-use super::limit::{Shares, limit_pair};
+use super::limit::{FLOOR, Shares, limit_pair};
 use super::pairs::{Finder, Near, Pair};
 use crate::mesh::Mesh;
 use crate::parallel;
@@ -15,8 +15,9 @@ use crate::parallel;
 const SKIN: f64 = 0.1;
 /// No node moves farther in one evaluation than this share of the skin, so that no pair that is not listed can close.
 const LONGEST: f64 = 0.2;
-/// A pair is looked at before a move if its gap is below so many times what both of its things may move.
-const WITHIN: f64 = 1.2;
+/// A pair is looked at before a move if its gap, but for what is never used up of it, is below so many times what both of its
+/// things may move: half of it may be used up. What is not looked at could come below that.
+const WITHIN: f64 = 2.0;
 /// The curvature of a pair is bounded by that at this share of its gap.
 const NEARER: f64 = 0.7;
 /// Pairs that one task measures at least.
@@ -181,7 +182,7 @@ impl Layers {
         self.shares.clear();
         self.shares.resize(moves.len(), 1.0);
         let largest = self.lengths.iter().copied().fold(0.0, f64::max);
-        let bound = 2.0 * WITHIN * largest + 2.0 * self.way;
+        let bound = 2.0 * WITHIN * largest + FLOOR * self.contact.gap + 2.0 * self.way;
         let mut known = self.near.iter().peekable();
         for (number, due) in (0..).zip(&mut self.due) {
             if *due >= bound {
@@ -199,7 +200,7 @@ impl Layers {
             };
             let most = |nodes: &[crate::ids::NodeId]| nodes.iter().map(|n| self.lengths[n.index()]).fold(0.0, f64::max);
             let (first, second) = pair.nodes.split_at(pair.split);
-            if near.gap < WITHIN * (most(first) + most(second)) {
+            if near.gap - FLOOR * pair.width < WITHIN * (most(first) + most(second)) {
                 limit_pair(pair, &near, (positions, moves), Shares(&mut self.shares));
             }
         }

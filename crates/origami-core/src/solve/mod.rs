@@ -53,6 +53,7 @@ pub use bare_kernel::BareKernel;
 pub use contact_dynamics::ContactDynamics;
 pub use contact_relax::ContactRelax;
 pub use crushed::{CRUSHED, crushed_triangles};
+use driver::REPORT;
 pub use driver::{Folded, Instance, Progress, Session, Solver, Stop, unwatched};
 pub use dynamics::Dynamics;
 pub use engine::{CpuEngine, Engine, Method, Report};
@@ -85,6 +86,3 @@ pub const DEFAULT_MAX_STEPS: u64 = 100_000;
 
 /// Default tolerance: a distance from the equilibrium, in radii of the sheet.
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;
-
-/// Force evaluations between two reports of progress.
-const REPORT: u64 = 50;

@@ -105,28 +105,3 @@ fn where_nothing_touches_the_state_is_the_same() {
         assert!(with.steps as f64 <= 1.3 * without.steps as f64, "{name}: {} and {}", with.steps, without.steps);
     }
 }
-
-#[test]
-#[ignore = "probe"]
-fn probe() {
-    for name in ["square-twist", "miura", "waterbomb", "bird-base"] {
-        let model = model(name);
-        for (stiffness, first) in [(50.0, 0.0), (500.0, 0.0), (5000.0, 0.0), (50000.0, 0.0), (50.0, 1e-2), (500.0, 1e-2), (50.0, 3e-3), (500.0, 3e-3)] {
-            let relax = Relax { max_steps: 8000, ..Relax::default() };
-            let mut solver = ContactRelax { relax, ..ContactRelax::default() };
-            solver.contact.stiffness = stiffness;
-            let mut start = State::at_rest(&model);
-            let mut steps = 0;
-            if first > 0.0 {
-                let mut solver = solver.clone();
-                solver.contact.gap = first;
-                solver.relax.tolerance = 1e-2;
-                let (folded, _) = solver.fold_touching(&model, &start, &Scene::percent(100.0), &mut |_| ControlFlow::Continue(())).expect("it folds");
-                start = folded.state;
-                steps = folded.steps;
-            }
-            let (folded, touch) = solver.fold_touching(&model, &start, &Scene::percent(100.0), &mut |_| ControlFlow::Continue(())).expect("it folds");
-            println!("{name} {stiffness} {first}: {steps} + {} , {:?}, limited {} first {:?}, off {:.2}, strain {:.2e}, gap {:.1e}", folded.steps, folded.stop, touch.limited, touch.first_limited, off(&folded), origami_core::measure::Strain::of(&model, &folded.state.positions).beams.max, touch.least_gap);
-        }
-    }
-}

@@ -15,10 +15,10 @@ fn undamped(name: &str) -> Model {
 }
 
 /// Steps that hardly cost the springs any energy: what drifts is due to contact.
-fn of_steps(model: &Model, steps: u64, integrator: Integrator, gap: f64) -> ContactDynamics {
-    let time_step = TimeStep::Fixed(0.14 * time_step::safe(model, &model.rest, integrator));
+fn of_steps(model: &Model, steps: u64, integrator: Integrator, contact: Contact) -> ContactDynamics {
+    let time_step = TimeStep::Fixed(0.07 * time_step::safe(model, &model.rest, integrator));
     let dynamics = Dynamics { steps: Some(steps), integrator, time_step, ..Dynamics::default() };
-    ContactDynamics { dynamics, contact: Contact { gap, ..Contact::default() } }
+    ContactDynamics { dynamics, contact }
 }
 
 /// Motion, springs and contact.
@@ -30,9 +30,9 @@ fn energy(model: &Model, folded: &Folded, touch: &Touch) -> f64 {
 /// Lets a sheet fly from where it is at rest at 90 %, with its creases asked to lie flat. The largest drift of energy
 /// over `pieces` of so many steps, as a share of what there was; the share of the pieces' ends at which something touched; and
 /// how many of the states, of each tenth, are crossed.
-fn fly(name: &str, gap: f64, (pieces, steps): (usize, u64)) -> (f64, f64, usize) {
+fn fly(name: &str, (gap, stiffness): (f64, f64), (pieces, steps): (usize, u64)) -> (f64, f64, usize) {
     let model = undamped(name);
-    let solver = of_steps(&model, steps, Integrator::Verlet, gap);
+    let solver = of_steps(&model, steps, Integrator::Verlet, Contact { gap, stiffness, ..Contact::default() });
     let mut state = Relax::default().fold_from_rest(&model, 90.0).expect("it folds").state;
     let (mut first, mut worst, mut touched, mut crossed, mut shortened) = (None, 0.0_f64, 0, 0, 0);
     for _ in 0..pieces {
@@ -50,13 +50,13 @@ fn fly(name: &str, gap: f64, (pieces, steps): (usize, u64)) -> (f64, f64, usize)
         shortened += touch.limited;
         state = folded.state;
     }
-    println!("{name} {gap}: drift {worst:e}, touched {touched}, shortened {shortened}, crossed {crossed}");
+    println!("{name} {gap} {stiffness}: drift {worst:e}, touched {touched}, shortened {shortened}, crossed {crossed}");
     (worst, touched as f64 / pieces as f64, crossed)
 }
 
 #[test]
 fn a_sheet_that_bounces_keeps_its_energy() {
-    let (drift, touched, crossed) = fly("strip", 0.01, (20, 100));
+    let (drift, touched, crossed) = fly("strip", (0.01, 500.0), (20, 100));
     assert!(drift < 1e-3, "{drift}");
     assert!(touched > 0.3, "it touches: {touched}");
     assert_eq!(crossed, 0);
@@ -65,7 +65,7 @@ fn a_sheet_that_bounces_keeps_its_energy() {
 #[test]
 #[ignore = "some seconds: ten thousand steps each"]
 fn ten_thousand_steps_in_contact_keep_energy() {
-    for (name, gap) in [("strip", 0.01), ("bird-base", 0.01), ("square-twist", 0.01), ("strip", 1e-3)] {
+    for (name, gap) in [("strip", (0.01, 500.0)), ("bird-base", (0.01, 5e3)), ("square-twist", (0.01, 50.0)), ("strip", (1e-3, 5e4))] {
         let (drift, touched, crossed) = fly(name, gap, (100, 100));
         assert!(drift < 1e-3, "{name}: {drift}");
         assert!(touched > 0.3, "{name} touches: {touched}");
@@ -84,7 +84,7 @@ fn a_damped_sheet_comes_to_rest_where_relaxation_brings_it() {
         ContactDynamics { dynamics, contact }.fold_touching(&model, &start, &scene, &mut unwatched).expect("it moves");
     println!("damped: {:?} {} steps, {} limited {:?}", moved.stop, moved.steps, touch.limited, touch.least_gap);
     assert_eq!(moved.stop, Stop::Converged);
-    assert!(touch.limited > 0 && touch.least_gap < contact.gap && touch.least_gap > 0.0);
+    assert!(touch.least_gap < contact.gap && touch.least_gap > 0.0);
     let relax = Relax { tolerance: 1e-5, ..Relax::default() };
     let relaxed = ContactRelax { relax, contact }.fold(&model, &start, &scene, &mut unwatched).expect("it folds");
     let apart = moved.state.fold_angles.iter().zip(&relaxed.state.fold_angles).map(|(a, b)| (a - b).abs().to_degrees());
@@ -111,6 +111,6 @@ fn without_touching_it_moves_as_dynamics_does() {
             apart(&free.state.velocities, &held.state.velocities),
         ];
         println!("{integrator:?} {places:e} {speeds:e} of {moved}");
-        assert!(moved > 0.1 && places < 1e-12 && speeds < 1e-11, "{integrator:?}: {places} {speeds} of {moved}");
+        assert!(moved > 0.05 && places < 1e-12 && speeds < 1e-11, "{integrator:?}: {places} {speeds} of {moved}");
     }
 }

@@ -45,12 +45,16 @@ impl Layers {
             let near = pair.near(number, positions);
             *due = near.gap + 2.0 * self.way;
             let closed = near.gap < CLOSED * FLOOR * pair.width;
-            let may_lose = if near.gap > pair.width { near.gap - (1.0 - share) * pair.width } else { share * near.gap };
+            let may_lose = match near.gap - pair.width {
+                beyond if beyond > 0.0 => beyond + share * pair.width,
+                _ => share * (near.gap - FLOOR * pair.width).max(0.0),
+            };
             let distance = near.gap + pair.closed;
             let (first, second) = pair.nodes.split_at(pair.split);
             for (one, other) in first.iter().flat_map(|one| second.iter().map(move |other| (*one, *other))) {
                 let between = |of: &[DVec3]| (of[one.index()] - of[other.index()]).dot(near.normal);
-                let (apart, closing) = (between(positions), -between(velocities));
+                // As short where things part: a motion and the same backwards take the same steps, and energy does not drift.
+                let (apart, closing) = (between(positions), between(velocities).abs());
                 let may = may_lose + (apart - distance).max(0.0);
                 if closing * step.time > may {
                     step.limited |= closed;

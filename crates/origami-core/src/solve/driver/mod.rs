@@ -78,6 +78,9 @@ pub fn unwatched(_: Progress) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
+/// Force evaluations between two reports of progress.
+pub(super) const REPORT: u64 = 50;
+
 /// How far a solver has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {

@@ -11,7 +11,7 @@ use super::{Equilibrium, Newton, OutOfMemory};
 use crate::contact::Layers;
 use crate::model::{Inventory, Model};
 use crate::scene::{Scene, Targets};
-use crate::solve::contact_relax::{check_contact, first_layers};
+use crate::solve::touch::{check_contact, first_layers};
 use crate::solve::{ContactRelax, Failed, Folded, Progress, Solver, State, Stop, Touch};
 
 /// The residual from which on the exact Hessian is taken: farther away what curves downwards is left out.

@@ -1,0 +1,99 @@
+//! Relaxation of a sheet that cannot go through itself.
+//!
+//! The springs are the kernel's. Contact is added after them, and so the nodes are moved here: its forces and masses change
+//! from one evaluation to the next, and moves are shortened before they are made.
+
+mod moves;
+mod run;
+
+use std::ops::ControlFlow;
+
+use glam::DVec3;
+
+use super::threads::{count, share};
+use super::touch::check_contact;
+use super::{Failed, Folded, Progress, Relax, Solver, State, Touch, unwatched};
+use crate::contact::Contact;
+use crate::model::{Inventory, Model};
+use crate::scene::Scene;
+use run::Run;
+
+/// [`Relax`] of a sheet whose layers push each other away, and through which nothing goes: a state without crossings stays one.
+///
+/// The settings of `relax` count, but for these: the sheet is as stiff as its material all the way, is folded once, and no
+/// saddle is sought. A sheet that contact keeps from its angles ends [`Stop::Blocked`](super::Stop::Blocked), which is a result.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+pub struct ContactRelax {
+    /// Ramp, tolerance, limits, perturbation and threads.
+    pub relax: Relax,
+    /// How paper keeps away from paper.
+    pub contact: Contact,
+}
+
+impl Solver for ContactRelax {
+    fn fold(
+        &self,
+        model: &Model,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Folded, Failed> {
+        self.fold_touching(model, start, scene, observe).map(|(folded, _)| folded)
+    }
+
+    fn inventory(&self, model: &Model) -> Inventory {
+        self.relax.inventory(model)
+    }
+}
+
+impl ContactRelax {
+    /// As [`Solver::fold`], and what contact did.
+    ///
+    /// # Errors
+    /// As [`Solver::fold`]; [`Failed::Refused`] too where the sheet begins crossed or closed, and for settings that are no
+    /// lengths or stiffnesses above 0.
+    pub fn fold_touching(
+        &self,
+        model: &Model,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<(Folded, Touch), Failed> {
+        share(count(model, self.relax.threads), observe, |threads, observe| {
+            self.run((model, scene, start), threads, observe, &mut |_, _| {})
+        })
+    }
+
+    /// The same on one thread; `look` is shown the positions after every evaluation's move, with its number.
+    ///
+    /// # Errors
+    /// As [`ContactRelax::fold_touching`].
+    #[doc(hidden)]
+    pub fn fold_looking(
+        &self,
+        model: &Model,
+        start: &State,
+        scene: &Scene,
+        look: &mut dyn FnMut(u64, &[DVec3]),
+    ) -> Result<(Folded, Touch), Failed> {
+        self.run((model, scene, start), 1, &mut unwatched, look)
+    }
+
+    fn run(
+        &self,
+        (model, scene, start): (&Model, &Scene, &State),
+        threads: usize,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+        look: &mut dyn FnMut(u64, &[DVec3]),
+    ) -> Result<(Folded, Touch), Failed> {
+        let refused = |refusal| Failed::refused(refusal, start);
+        self.relax.check(model, scene).map_err(refused)?;
+        check_contact(self.contact, self.relax.precision, scene).map_err(refused)?;
+        let targets = scene.targets.of(model).map_err(refused)?;
+        let positions = self.relax.first_positions(model, start, scene, &targets);
+        let mut run = Run::new(self, (model, scene, start), (positions, targets), threads)?;
+        let stop = run.go(observe, look)?;
+        Ok(run.into_folded(stop))
+    }
+}

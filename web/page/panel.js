@@ -70,6 +70,7 @@ export function numbers(head) {
     for (const [id, text] of Object.entries(told)) if ($(id).textContent !== text) $(id).textContent = text;
     const odd = [];
     if (head.failed) odd.push(head.failed);
+    if (head.recorded?.ended) odd.push(head.recorded.ended);
     if (head.settled && head.lost_creases) odd.push(`${head.lost_creases} creases went astray: this is not the fold that was asked for. Reset, and fold in smaller steps.`);
     if (head.settled && head.crushed) odd.push(`${head.crushed} triangles are crushed to a line.`);
     if (head.settled && !odd.length && head.strain_max > 0.05) odd.push("Some paper is strained by more than 5 %: real paper would tear or bend here.");

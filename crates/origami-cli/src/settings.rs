@@ -94,7 +94,7 @@ impl Settings {
         Ok(Self {
             frame: args.frame,
             percents,
-            sheet_percents: (of_sheet && !sheet_alone).then(|| stages_to(STAGES)),
+            sheet_percents: (of_sheet && !sheet_alone && sequence.is_none()).then(|| stages_to(STAGES)),
             steps: solving.steps,
             animated: args.frames.is_some() || sequence.is_some(),
             parts: args.frames.unwrap_or(1),
@@ -175,13 +175,17 @@ impl Settings {
     }
 }
 
-/// Whether `--sequence` or `--contact` is asked for; what goes with neither is refused.
+/// Whether `--sequence` or `--contact` is asked for; what does not go with it is refused.
 fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
     let solving = &args.solving;
     let asked = [("--sequence", args.contact.sequence.is_some()), ("--contact", args.contact.keeps_apart())];
     let Some((option, _)) = asked.iter().find(|(_, given)| *given) else { return Ok(false) };
-    if solving.solver != SolverName::Relax {
-        return Err(format!("--solver {}: it has no {option}; expected relax", solving.solver.name()));
+    let (able, expected): (&[SolverName], _) = match args.contact.sequence {
+        Some(_) => (&[SolverName::Relax], "relax"),
+        None => (&[SolverName::Relax, SolverName::Dynamics, SolverName::Newton], "relax, newton or dynamics"),
+    };
+    if !able.contains(&solving.solver) {
+        return Err(format!("--solver {}: it has no {option}; expected {expected}", solving.solver.name()));
     }
     if solving.backend == BackendName::Gpu {
         return Err(format!("--backend gpu: {option} runs on the processor; expected auto or cpu"));
@@ -198,7 +202,7 @@ pub(crate) struct AskedContact {
     /// In radii.
     gap: Option<f64>,
     /// In the file's unit.
-    thickness: Option<f64>,
+    pub(crate) thickness: Option<f64>,
 }
 
 impl AskedContact {

@@ -45,6 +45,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) model: &'a Model,
     /// With the percentage of each; at least one.
     pub(crate) states: &'a [(f64, &'a State)],
+    /// Of a sequence the step that each of them shows; else empty.
+    pub(crate) steps: &'a [String],
 }
 
 /// What is marked on a crease pattern.

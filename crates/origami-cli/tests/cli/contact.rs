@@ -118,6 +118,47 @@ fn a_letter_is_blocked_at_once_and_closes_in_order() {
     let report = place.json("r.json");
     assert_eq!((&report["contact"]["blocked"], &report["crossings"]["count"]), (&json!(false), &json!(0)));
     assert_eq!(place.json("b.fold")["file_frames"][1].get("origami:blocked"), None);
-    place.run("fold letter.fold --contact --solver newton -o d.fold").fails(1, "--solver newton: it has no --contact");
+    place
+        .run("fold letter.fold --contact --solver reflect -o d.fold")
+        .fails(1, "--solver reflect: it has no --contact");
+    let sequence = "fold letter.fold --contact --sequence own --solver newton -o d.fold";
+    place.run(sequence).fails(1, "--solver newton: it has no --sequence; expected relax");
     place.run("fold letter.fold --contact --precision mixed -o d.fold").fails(1, "--precision mixed");
+}
+
+#[test]
+fn newton_and_dynamics_go_under_contact_too() {
+    let place = Place::new();
+    place.run("pattern strip -o strip.fold --quiet").succeeds();
+    place.run("fold strip.fold --contact --solver newton -o a.fold --report r.json --quiet").succeeds();
+    let report = place.json("r.json");
+    assert_eq!((&report["stop"], &report["crossings"]["count"]), (&json!("converged"), &json!(0)));
+    assert!(report["residual"].as_f64().unwrap() < 1e-10 && report["contact"]["least_gap"].as_f64().unwrap() > 0.0);
+    let dynamics =
+        "fold strip.fold --contact-gap 0.01 --solver dynamics --ramp 500 --steps 1500 -o b.fold --report r.json";
+    place.run(dynamics).succeeds();
+    let report = place.json("r.json");
+    assert_eq!((&report["stop"], &report["crossings"]["count"]), (&json!("steps done"), &json!(0)));
+    assert!(report["contact"]["least_gap"].is_number(), "{report}");
+}
+
+/// A film of a sequence has its steps; thick paper is a plate for each face, and its order is told though it is not thin.
+#[cfg(feature = "render")]
+#[test]
+fn pictures_and_files_show_what_contact_has_laid() {
+    let place = Place::new();
+    place.put("letter.fold", include_str!("../../../../examples/sequences/letter-fold.fold"));
+    let bytes = |name: &str| std::fs::read(place.path(name)).unwrap();
+    place
+        .run("fold letter.fold --sequence own --thickness 0.02 -o a.fold -o a.stl --animate f-.png --sheet s.png --size 64x64 --quiet")
+        .succeeds();
+    assert!(bytes("f-001.png").starts_with(b"\x89PNG"), "the second step is the last picture");
+    assert!(bytes("f-000.png") != bytes("f-001.png") && !place.has("f-002.png"));
+    // Three plates of two triangles on either side and eight around.
+    let stl = bytes("a.stl");
+    assert_eq!(u32::from_le_bytes([stl[80], stl[81], stl[82], stl[83]]), 3 * 12);
+    let folded = place.json("a.fold");
+    let orders = folded["file_frames"][1]["faceOrders"].as_array().unwrap();
+    assert_eq!(orders.len(), 3, "each two of three layers: {orders:?}");
+    assert_eq!(folded["file_frames"][0]["faceOrders"], Value::Null, "one third stands up or lies beside");
 }

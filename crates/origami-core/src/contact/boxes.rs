@@ -88,9 +88,46 @@ impl BoxTree {
         self.nodes[node].skip = skip;
     }
 
+    /// The same tree of things whose boxes have become these. What was near each other and is no more makes it slower, not
+    /// wrong.
+    pub(super) fn moved(&self, boxes: &[Bounds]) -> Self {
+        let mut tree = self.clone();
+        for at in (0..tree.nodes.len()).rev() {
+            let [from, to] = tree.nodes[at].things;
+            let own = tree.things[from as usize..to as usize].iter().map(|thing| boxes[*thing as usize]);
+            tree.nodes[at].bounds = own.reduce(Bounds::union).unwrap_or_else(|| {
+                // Both halves lie behind.
+                let half = at + 1;
+                let other = tree.nodes[half].skip as usize;
+                tree.nodes[half].bounds.union(tree.nodes[other].bounds)
+            });
+        }
+        tree
+    }
+
     /// Tells `visit` the things of all leaves that meet a box: all that meet it themselves, and some more.
-    pub(super) fn near(&self, own: &Bounds, mut visit: impl FnMut(usize)) {
-        let mut at = 0;
+    pub(super) fn near(&self, own: &Bounds, visit: impl FnMut(usize)) {
+        self.near_from(0, own, visit);
+    }
+
+    /// Tells `visit` all pairs of things of leaves that meet the box of a thing grown by so much: all pairs that meet so
+    /// themselves, once each, and some more.
+    pub(super) fn near_each_other(&self, boxes: &[Bounds], by: f64, mut visit: impl FnMut([usize; 2])) {
+        for (at, node) in self.nodes.iter().enumerate() {
+            let [from, to] = node.things.map(|i| i as usize);
+            for i in from..to {
+                let own = self.things[i] as usize;
+                let grown = boxes[own].grown(by);
+                self.things[i + 1..to].iter().for_each(|other| visit([own, *other as usize]));
+                // What lies before has met it already.
+                self.near_from(at + 1, &grown, |other| visit([own, other]));
+            }
+        }
+    }
+
+    /// The same as [`BoxTree::near`] from a node on.
+    #[inline]
+    fn near_from(&self, mut at: usize, own: &Bounds, mut visit: impl FnMut(usize)) {
         while let Some(node) = self.nodes.get(at) {
             if node.bounds.meets(own) {
                 let [from, to] = node.things;
@@ -128,8 +165,16 @@ mod tests {
         for count in [0, 1, 4, 5, 300] {
             let boxes = boxes(count);
             let tree = BoxTree::new(&boxes);
+            let turned = |p: DVec3| DVec3::new(p.y, p.z, p.x);
+            let elsewhere: Vec<Bounds> =
+                boxes.iter().map(|b| Bounds { low: turned(b.low), high: turned(b.high) }).collect();
+            let moved = BoxTree::new(&elsewhere).moved(&boxes);
             let mut found = 0;
             for own in &boxes {
+                let mut by_moved = Vec::new();
+                moved.near(own, |thing| by_moved.push(thing));
+                by_moved.retain(|thing| boxes[*thing].meets(own));
+                by_moved.sort_unstable();
                 let mut near = Vec::new();
                 tree.near(own, |thing| near.push(thing));
                 near.retain(|thing| boxes[*thing].meets(own));
@@ -137,7 +182,15 @@ mod tests {
                 let all: Vec<usize> = (0..count).filter(|thing| boxes[*thing].meets(own)).collect();
                 found += all.len();
                 assert_eq!(near, all);
+                assert_eq!(by_moved, all);
             }
+            let mut together = Vec::new();
+            tree.near_each_other(&boxes, 0.0, |[a, b]| together.push([a.min(b), a.max(b)]));
+            together.retain(|[a, b]| boxes[*a].meets(&boxes[*b]));
+            let pairs = together.len();
+            together.sort_unstable();
+            together.dedup();
+            assert_eq!((pairs, 2 * pairs + count), (together.len(), found), "each pair once");
             assert!(count < 300 || (found > 2 * count && found < count * count / 4), "{found} say something");
         }
     }

@@ -36,9 +36,9 @@ pub(crate) fn blocks(
     for (pair, _) in layers.pushing() {
         let exact = of_pair(pair, &pair.points(positions), layers.stiffness());
         let blocks = if projected { without_negative(&exact) } else { exact };
-        for i in 0..4 {
-            for j in 0..=i {
-                add(pair.nodes[i], pair.nodes[j], blocks[i][j]);
+        for (i, row) in blocks.iter().enumerate() {
+            for (j, block) in row.iter().enumerate().take(i + 1) {
+                add(pair.nodes[i], pair.nodes[j], *block);
             }
         }
     }
@@ -95,13 +95,15 @@ fn of_distance(points: &[DVec3; 4], split: usize, nearest: &Nearest) -> Blocks {
         })
         .collect();
     let directions: Vec<DVec3> = slides.iter().map(|c| points.iter().zip(c).map(|(x, c)| *x * *c).sum()).collect();
-    let gives = |a: usize, i: usize| weights[i] / distance * directions[a] + slides[a][i] * normal;
+    let gives =
+        |(direction, slide): (&DVec3, &[f64; 4]), i: usize| weights[i] / distance * *direction + slide[i] * normal;
+    let ways = || directions.iter().zip(&slides);
     let inverse = inverse_gram(&directions);
     block(|i, j| {
         let mut own = weights[i] * weights[j] * across;
-        for a in 0..directions.len() {
-            for b in 0..directions.len() {
-                own -= distance * inverse[a][b] * outer(gives(a, i), gives(b, j));
+        for (one, row) in ways().zip(&inverse) {
+            for (other, entry) in ways().zip(row) {
+                own -= distance * entry * outer(gives(one, i), gives(other, j));
             }
         }
         own
@@ -161,7 +163,8 @@ fn without_negative(blocks: &Blocks) -> Blocks {
     let (vectors, values) = (decomposed.U(), decomposed.S().column_vector());
     let mut sum = block(|_, _| DMat3::ZERO);
     for (k, value) in values.iter().enumerate().filter(|(_, value)| **value > 0.0) {
-        let part: [DVec3; 4] = std::array::from_fn(|i| DVec3::from_array(std::array::from_fn(|x| vectors[(3 * i + x, k)])));
+        let part: [DVec3; 4] =
+            std::array::from_fn(|i| DVec3::from_array(std::array::from_fn(|x| vectors[(3 * i + x, k)])));
         sum = block(|i, j| sum[i][j] + *value * outer(part[i], part[j]));
     }
     sum
@@ -187,8 +190,7 @@ mod tests {
     fn gradient(pair: &Pair, points: &[DVec3; 4]) -> [DVec3; 4] {
         let Nearest { weights, apart } = pair.nearest(points);
         let Barrier { energy, slope, .. } = Barrier::of(apart.length() - pair.closed, pair.width, STIFFNESS);
-        let (factor, of_factor) =
-            if pair.split == 2 { mollifier(points, pair.eased) } else { (1.0, [DVec3::ZERO; 4]) };
+        let (factor, of_factor) = if pair.split == 2 { mollifier(points, pair.eased) } else { (1.0, [DVec3::ZERO; 4]) };
         std::array::from_fn(|i| factor * slope * weights[i] * apart.normalize() + energy * of_factor[i])
     }
 

@@ -4,22 +4,30 @@ mod closing;
 
 use glam::DVec3;
 
-use super::Contact;
-use super::barrier::{Barrier, mollifier};
+use super::barrier::Barrier;
 use super::limit::{FLOOR, Shares, limit_pair};
-use super::pairs::{Finder, Near, Pair};
+use super::pairs::{Finder, Near, Pair, eased};
+use super::soon::Soon;
+use super::task::{self, All, Felt, Task};
+use super::{Contact, NEARER};
+use crate::ids::NodeId;
 use crate::mesh::Mesh;
 use crate::parallel;
 
-/// Pairs are listed up to so much beyond the gap, as a share of the median edge. More: lists last longer and are longer.
+/// Pairs are listed up to so much beyond the gap, as a share of the median edge.
 const SKIN: f64 = 0.1;
-/// No node moves farther in one evaluation than this share of the skin, so that no pair that is not listed can close.
+/// Or up to so many times that where few are found there. More: lists last longer and are longer.
+const MOST_SKINS: f64 = 4.0;
+/// As many pairs for each node are few, and many.
+const FEW: usize = 4;
+const MANY: usize = 32;
+/// No node moves farther in one evaluation than this share of the skin, so that a new list has all that may close.
 const LONGEST: f64 = 0.2;
 /// A pair is looked at before a move if its gap, but for what is never used up of it, is below so many times what both of its
 /// things may move: half of it may be used up. What is not looked at could come below that.
 const WITHIN: f64 = 2.0;
-/// The curvature of a pair is bounded by that at this share of its gap.
-const NEARER: f64 = 0.7;
+/// The pairs that may come near within about so many evaluations are kept apart from the others.
+const SOON: f64 = 16.0;
 /// Pairs that one task measures at least.
 const TASK: usize = 512;
 
@@ -30,20 +38,28 @@ pub(crate) struct Layers {
     /// Whether many pairs are measured by many threads.
     shared: bool,
     finder: Finder,
-    /// As wide as moves ask for, and no less than `least_skin`.
     skin: f64,
-    least_skin: f64,
+    /// How far beyond the gap pairs are listed now.
+    room: f64,
     pairs: Vec<Pair>,
     /// By pair: its gap when it was last measured, and twice the `way` at that time. Its gap is now at least this less twice the
     /// way, so that most pairs need not be measured.
     due: Vec<f64>,
-    /// The largest moves of all evaluations so far, added up.
+    /// The largest moves of all evaluations so far, added up; and the last of them.
     way: f64,
-    /// Where the nodes were when the pairs were listed; empty before.
+    last: f64,
+    /// Where the nodes were when the pairs were listed, and the way then; no nodes before.
     listed_at: Vec<DVec3>,
-    /// Pairs at the present positions whose gap may be below their width, in the order of the list.
+    listed_way: f64,
+    /// Those of the pairs that may come near soon.
+    soon: Soon,
+    /// Pairs at the positions of the last [`Layers::measure`] whose gap may be below their width, in the order of the list.
     near: Vec<Near>,
+    /// How many pairs push, as last measured in either way.
+    pushing: usize,
+    tasks: Vec<Task>,
     /// Kept for their memory.
+    felt: Vec<Felt>,
     wanted: Vec<u32>,
     measured: Vec<Near>,
     gaps: Vec<f64>,
@@ -62,12 +78,18 @@ impl Layers {
             shared,
             finder,
             skin,
-            least_skin: skin,
+            room: skin,
             pairs: Vec::new(),
             due: Vec::new(),
             way: 0.0,
+            last: 0.0,
             listed_at: Vec::new(),
+            listed_way: 0.0,
+            soon: Soon::new(),
             near: Vec::new(),
+            pushing: 0,
+            tasks: Vec::new(),
+            felt: Vec::new(),
             wanted: Vec::new(),
             measured: Vec::new(),
             gaps: Vec::new(),
@@ -88,16 +110,12 @@ impl Layers {
 
     /// Measures all pairs that may push at these positions.
     pub(crate) fn measure(&mut self, positions: &[DVec3]) {
-        let moved = |(p, listed): (&DVec3, &DVec3)| (*p - *listed).length_squared();
-        let farthest = positions.iter().zip(&self.listed_at).map(moved).fold(0.0, f64::max).sqrt();
-        if self.listed_at.is_empty() || 2.0 * farthest > 0.5 * self.skin {
-            self.list(positions);
-        }
-        let bound = self.contact.gap + 2.0 * self.way;
-        self.wanted.clear();
-        self.wanted.extend((0..).zip(&self.due).filter(|(_, due)| **due < bound).map(|(pair, _)| pair));
-        let Self { pairs, wanted, measured, .. } = self;
-        let one = |pair: &u32| pairs[*pair as usize].near(*pair, positions);
+        let bound = self.look_for_near(positions);
+        let Self { pairs, soon, wanted, measured, .. } = self;
+        wanted.clear();
+        wanted.extend((0..).zip(&soon.due).filter(|(_, due)| **due < bound).map(|(i, _)| i));
+        let number = |i: &u32| soon.pairs[*i as usize].number;
+        let one = |i: &u32| pairs[number(i) as usize].near(number(i), positions);
         if self.shared && wanted.len() >= 2 * TASK {
             parallel::map_into(wanted, TASK, one, measured);
         } else {
@@ -105,19 +123,94 @@ impl Layers {
             measured.extend(wanted.iter().map(one));
         }
         std::mem::swap(&mut self.near, &mut self.measured);
-        for near in &self.near {
-            self.due[near.pair as usize] = near.gap + 2.0 * self.way;
+        for (i, near) in self.wanted.iter().zip(&self.near) {
+            self.soon.due[*i as usize] = near.gap + 2.0 * self.way;
         }
+        self.pushing = self.pushing().count();
+    }
+
+    /// What each node feels of the pairs at these positions; empty where nothing pushes. It is what [`Layers::measure`] and
+    /// [`Layers::add`] find out, but for rounding, in less time; no pair is known for [`Layers::pushing`] then.
+    pub(crate) fn felt(&mut self, positions: &[DVec3]) -> &[Felt] {
+        let bound = self.look_for_near(positions);
+        self.near.clear();
+        self.pushing = 0;
+        if self.soon.due.iter().all(|due| *due >= bound) {
+            return &[];
+        }
+        let Self { contact, soon, tasks, way, .. } = self;
+        let widths = std::mem::take(&mut soon.widths);
+        let all = All { contact: *contact, widths: &widths, positions, bound, twice_the_way: 2.0 * *way };
+        task::run(tasks, &all, soon, self.shared);
+        soon.widths = widths;
+        self.pushing = tasks.iter().map(|task| task.pushing).sum();
+        match self.tasks.as_slice() {
+            _ if self.pushing == 0 => &[],
+            [one] => &one.felt,
+            all => {
+                self.felt.clear();
+                self.felt.resize(positions.len(), [0.0; 4]);
+                for task in all {
+                    for (sum, own) in self.felt.iter_mut().zip(&task.felt) {
+                        *sum = std::array::from_fn(|i| sum[i] + own[i]);
+                    }
+                }
+                &self.felt
+            }
+        }
+    }
+
+    /// Sees to it that all pairs are known whose gap may be below the width of contact: they are due before the result.
+    fn look_for_near(&mut self, positions: &[DVec3]) -> f64 {
+        self.list_for(positions, 0.0);
+        let bound = self.contact.gap + 2.0 * self.way;
+        self.look_ahead(bound);
+        bound
+    }
+
+    /// Lists the pairs anew where nodes have moved so far that others may be nearer than the gap or than `distance`; true if so.
+    fn list_for(&mut self, positions: &[DVec3], distance: f64) -> bool {
+        let most = 0.5 * (self.room - (distance - self.contact.gap).max(0.0));
+        if !self.listed_at.is_empty() {
+            if self.way - self.listed_way <= most {
+                return false;
+            }
+            let moved = |(p, listed): (&DVec3, &DVec3)| (*p - *listed).length_squared();
+            let farthest = positions.iter().zip(&self.listed_at).map(moved).fold(0.0, f64::max).sqrt();
+            // They cannot be farther than that before the way is so much longer.
+            self.listed_way = self.way - farthest;
+            if farthest <= most {
+                return false;
+            }
+        }
+        self.list(positions);
+        true
     }
 
     /// Lists the pairs anew.
     fn list(&mut self, positions: &[DVec3]) {
-        let reach = self.contact.gap + self.skin;
+        if !self.listed_at.is_empty() {
+            let listed = self.pairs.len();
+            if listed <= FEW * positions.len() {
+                self.room = (2.0 * self.room).min(MOST_SKINS * self.skin);
+            } else if listed > MANY * positions.len() {
+                self.room = (0.5 * self.room).max(self.skin);
+            }
+        }
+        let reach = self.contact.gap + self.room;
         self.finder.find(positions, reach, &mut self.pairs, &mut self.gaps);
         self.due.clear();
         self.due.extend(self.gaps.iter().map(|gap| gap + 2.0 * self.way));
         self.listed_at.clear();
         self.listed_at.extend_from_slice(positions);
+        self.listed_way = self.way;
+        self.soon.forget();
+    }
+
+    /// Sees to it that all pairs that are due before `bound` are known.
+    fn look_ahead(&mut self, bound: f64) {
+        let later = (SOON * 2.0 * self.last).max(0.1 * self.contact.gap);
+        self.soon.look_ahead(bound, later, (&self.pairs, &mut self.due));
     }
 
     /// The pairs that push, as last measured.
@@ -128,7 +221,7 @@ impl Layers {
 
     /// How many pairs push.
     pub(crate) fn count(&self) -> usize {
-        self.pushing().count()
+        self.pushing
     }
 
     /// The least gap of those that push, in radii; infinite where none does.
@@ -182,39 +275,55 @@ impl Layers {
         self.shares.clear();
         self.shares.resize(moves.len(), 1.0);
         let largest = self.lengths.iter().copied().fold(0.0, f64::max);
-        let bound = 2.0 * WITHIN * largest + FLOOR * self.contact.gap + 2.0 * self.way;
-        let mut known = self.near.iter().peekable();
-        for (number, due) in (0..).zip(&mut self.due) {
+        let bound = self.look_for_limits(positions, largest);
+        let Self { pairs, lengths, shares, soon, way, .. } = self;
+        let most = |nodes: &[NodeId]| nodes.iter().map(|n| lengths[n.index()]).fold(0.0, f64::max);
+        for (brief, due) in soon.pairs.iter().zip(&mut soon.due) {
             if *due >= bound {
                 continue;
             }
-            while known.next_if(|near| near.pair < number).is_some() {}
-            let pair = &self.pairs[number as usize];
-            let near = match known.peek().filter(|near| near.pair == number) {
-                Some(near) => **near,
-                None => {
-                    let own = pair.near(number, positions);
-                    *due = own.gap + 2.0 * self.way;
-                    own
-                }
-            };
-            let most = |nodes: &[crate::ids::NodeId]| nodes.iter().map(|n| self.lengths[n.index()]).fold(0.0, f64::max);
+            let pair = &pairs[brief.number as usize];
             let (first, second) = pair.nodes.split_at(pair.split);
-            if near.gap - FLOOR * pair.width < WITHIN * (most(first) + most(second)) {
-                limit_pair(pair, &near, (positions, moves), Shares(&mut self.shares));
+            let within = WITHIN * (most(first) + most(second)) + FLOOR * pair.width;
+            if *due - 2.0 * *way < within {
+                let near = pair.near(brief.number, positions);
+                *due = near.gap + 2.0 * *way;
+                if near.gap < within {
+                    limit_pair(pair, &near, (positions, moves), Shares(shares));
+                }
             }
         }
         &self.shares
     }
 
+    /// Whether some pair may be in the way of moves no longer than this, in radii, from the positions last measured.
+    pub(crate) fn in_the_way(&mut self, positions: &[DVec3], largest: f64) -> bool {
+        let bound = self.look_for_limits(positions, largest);
+        self.soon.due.iter().any(|due| *due < bound)
+    }
+
+    /// Sees to it that all pairs are known that may be in the way of moves no longer than this: they are due before the result.
+    fn look_for_limits(&mut self, positions: &[DVec3], largest: f64) -> f64 {
+        self.look_for_near_within(positions, 2.0 * WITHIN * largest + FLOOR * self.contact.gap)
+    }
+
+    /// Sees to it that all pairs are known whose gap may be below `within`: they are due before the result.
+    fn look_for_near_within(&mut self, positions: &[DVec3], within: f64) -> f64 {
+        let known = !self.near.is_empty();
+        if self.list_for(positions, within) && known {
+            // They have other places in the list.
+            self.measure(positions);
+        }
+        let bound = within + 2.0 * self.way;
+        self.look_ahead(bound);
+        bound
+    }
+
     /// Takes note that no node moved farther than this, in radii.
     pub(crate) fn moved(&mut self, largest: f64) {
         self.way += largest;
+        self.last = largest;
     }
-}
-
-fn eased(pair: &Pair, positions: &[DVec3]) -> (f64, [DVec3; 4]) {
-    if pair.split == 2 { mollifier(&pair.points(positions), pair.eased) } else { (1.0, [DVec3::ZERO; 4]) }
 }
 
 #[cfg(test)]

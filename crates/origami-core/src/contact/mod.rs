@@ -12,16 +12,23 @@ mod crossings;
 mod distance;
 #[cfg(feature = "newton")]
 pub(crate) mod hessian;
+mod lanes;
 mod layers;
 mod limit;
 mod pairs;
 mod pressing;
 mod settings;
+mod sieve;
+mod soon;
+mod task;
 mod wedge;
 
 pub use crossings::{Crossing, Crossings};
 pub use pressing::Pressing;
 pub use settings::Contact;
+
+/// The curvature of a pair is bounded by that at this share of its gap.
+const NEARER: f64 = 0.7;
 
 pub(crate) use layers::Layers;
 pub(crate) use pressing::pressing;

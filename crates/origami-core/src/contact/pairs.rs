@@ -6,8 +6,10 @@
 use glam::DVec3;
 
 use super::Contact;
+use super::barrier::mollifier;
 use super::boxes::{Bounds, BoxTree};
 use super::distance::{Nearest, of_edges, of_point_and_triangle};
+use super::sieve::{Candidate, Sieve};
 use super::wedge::{THICKEST, Wedges};
 use crate::ids::NodeId;
 use crate::mesh::{Mesh, Side};
@@ -16,6 +18,10 @@ use crate::mesh::{Mesh, Side};
 const OF_REST: f64 = 0.9;
 /// Edges whose directions enclose an angle of less sine squared than this are eased out ([`super::barrier::mollifier`]).
 const EASED: f64 = 1e-3;
+
+/// Things that are farther apart in the flat sheet than so many gaps push from the whole gap on; a little more than the
+/// inverse of [`OF_REST`].
+const FAR: f64 = 1.2;
 
 /// A point and a triangle, or two edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +51,11 @@ pub(super) struct Near {
 }
 
 impl Pair {
+    /// One of which nothing is known but its nodes; it never pushes.
+    pub(super) fn unmeasured(nodes: [NodeId; 4], split: usize) -> Self {
+        Self { nodes, split, closed: 0.0, width: 0.0, eased: 0.0 }
+    }
+
     pub(super) fn points(&self, positions: &[DVec3]) -> [DVec3; 4] {
         self.nodes.map(|n| positions[n.index()])
     }
@@ -62,6 +73,11 @@ impl Pair {
     }
 }
 
+/// The factor by which a pair at these positions pushes less, with its gradient by the four points.
+pub(super) fn eased(pair: &Pair, positions: &[DVec3]) -> (f64, [DVec3; 4]) {
+    if pair.split == 2 { mollifier(&pair.points(positions), pair.eased) } else { (1.0, [DVec3::ZERO; 4]) }
+}
+
 /// Finds the pairs of one sheet.
 #[derive(Clone, Debug)]
 pub(super) struct Finder {
@@ -71,6 +87,12 @@ pub(super) struct Finder {
     /// Sides of triangles.
     edges: Vec<[NodeId; 2]>,
     rest: Vec<DVec3>,
+    /// Trees of the triangles and of the edges at rest, whose order serves elsewhere too.
+    tree_of_triangles: BoxTree,
+    tree_of_edges: BoxTree,
+    /// Balls around them at rest; the radius of an edge's is half its length.
+    balls_of_triangles: Vec<Ball>,
+    balls_of_edges: Vec<Ball>,
     /// The gap of a pair whose distance in the flat sheet is large enough.
     gap: f64,
     /// Of paper that has a thickness.
@@ -87,10 +109,15 @@ impl Finder {
         let paper: Vec<&Side> = paper.collect();
         let (gap, closed) = (contact.gap, contact.closed());
         let wedges = (closed > 0.0).then(|| Wedges::new(mesh, rest, &paper, closed));
+        let edges: Vec<[NodeId; 2]> = paper.iter().map(|side| side.nodes).collect();
         Self {
             points: points.map(NodeId::new).collect(),
+            tree_of_triangles: BoxTree::new(&boxes(&mesh.triangles, rest)),
+            tree_of_edges: BoxTree::new(&boxes(&edges, rest)),
+            balls_of_triangles: mesh.triangles.iter().map(|nodes| Ball::around(nodes, rest)).collect(),
+            balls_of_edges: edges.iter().map(|nodes| Ball::around(nodes, rest)).collect(),
             triangles: mesh.triangles.clone(),
-            edges: paper.iter().map(|side| side.nodes).collect(),
+            edges,
             rest: rest.to_vec(),
             gap,
             wedges,
@@ -110,43 +137,57 @@ impl Finder {
     pub(super) fn find(&self, positions: &[DVec3], reach: f64, pairs: &mut Vec<Pair>, gaps: &mut Vec<f64>) {
         pairs.clear();
         gaps.clear();
-        let at = |n: &NodeId| positions[n.index()];
         let farthest = reach + self.thickest;
-        let mut take = |nodes: [NodeId; 4], split: usize, numbers: [usize; 2]| {
-            let mut pair = Pair { nodes, split, closed: 0.0, width: 0.0, eased: 0.0 };
-            let distance = pair.nearest(&pair.points(positions)).apart.length();
-            if distance < farthest && self.measure(&mut pair, numbers) && distance - pair.closed < reach {
+        let mut found = |Candidate { nodes, numbers }: Candidate, split: usize, distance: f64| {
+            let mut pair = Pair::unmeasured(nodes, split);
+            if self.measure(&mut pair, numbers) && distance - pair.closed < reach {
                 pairs.push(pair);
                 gaps.push(distance - pair.closed);
             }
         };
-        let boxes: Vec<Bounds> = self.triangles.iter().map(|nodes| Bounds::around(nodes.iter().map(at))).collect();
-        let tree = BoxTree::new(&boxes);
+        let boxed = boxes(&self.triangles, positions);
+        let tree = self.tree_of_triangles.moved(&boxed);
+        let mut sieve = Sieve::new(false, positions, farthest);
+        let mut take = |candidate, distance| found(candidate, 1, distance);
         for &point in &self.points {
-            let own = Bounds::around([at(&point)]).grown(farthest);
+            let own = Bounds::around([positions[point.index()]]).grown(farthest);
             tree.near(&own, |triangle| {
                 let [a, b, c] = self.triangles[triangle];
-                if boxes[triangle].meets(&own) && ![a, b, c].contains(&point) {
-                    take([point, a, b, c], 1, [0, triangle]);
+                if boxed[triangle].meets(&own) && ![a, b, c].contains(&point) {
+                    sieve.take(Candidate { nodes: [point, a, b, c], numbers: [0, triangle] }, &mut take);
                 }
             });
         }
-        let boxes: Vec<Bounds> = self.edges.iter().map(|nodes| Bounds::around(nodes.iter().map(at))).collect();
-        let tree = BoxTree::new(&boxes);
-        for (first, &[p, q]) in self.edges.iter().enumerate() {
-            let own = boxes[first].grown(farthest);
-            tree.near(&own, |second| {
-                let [r, s] = self.edges[second];
-                if second > first && boxes[second].meets(&own) && ![r, s].contains(&p) && ![r, s].contains(&q) {
-                    take([p, q, r, s], 2, [first, second]);
-                }
-            });
-        }
+        sieve.sift(&mut take);
+        let boxed = boxes(&self.edges, positions);
+        let tree = self.tree_of_edges.moved(&boxed);
+        let mut sieve = Sieve::new(true, positions, farthest);
+        let mut take = |candidate, distance| found(candidate, 2, distance);
+        tree.near_each_other(&boxed, farthest, |[first, second]| {
+            let ([p, q], [r, s]) = (self.edges[first], self.edges[second]);
+            if boxed[second].meets(&boxed[first].grown(farthest)) && ![r, s].contains(&p) && ![r, s].contains(&q) {
+                sieve.take(Candidate { nodes: [p, q, r, s], numbers: [first, second] }, &mut take);
+            }
+        });
+        sieve.sift(&mut take);
     }
 
     /// The gap and the thickness of a pair: less where it is narrow in the flat sheet. `numbers` are those of the triangle, or
     /// of both edges. False for one that touches there, such as the two lips of a cut: nothing can be said of it.
     fn measure(&self, pair: &mut Pair, numbers: [usize; 2]) -> bool {
+        let far = match pair.split {
+            1 => self.balls_of_triangles[numbers[1]]
+                .is_apart(&Ball { at: self.rest[pair.nodes[0].index()], radius: 0.0 }, FAR * self.gap),
+            _ => {
+                let [one, other] = numbers.map(|edge| &self.balls_of_edges[edge]);
+                pair.eased = 16.0 * EASED * one.radius.powi(2) * other.radius.powi(2);
+                one.is_apart(other, FAR * self.gap)
+            }
+        };
+        if self.wedges.is_none() && far {
+            pair.width = self.gap;
+            return true;
+        }
         let points = pair.points(&self.rest);
         let at_rest = pair.nearest(&points).apart.length();
         let thickness = self.wedges.as_ref().map_or(0.0, |wedges| match pair.split {
@@ -156,10 +197,33 @@ impl Finder {
         let scale = (OF_REST * at_rest / (thickness + self.gap)).min(1.0);
         pair.width = scale * self.gap;
         pair.closed = scale * thickness;
-        if pair.split == 2 {
-            let [p, q, r, s] = points;
-            pair.eased = EASED * (q - p).length_squared() * (s - r).length_squared();
-        }
         pair.width > 0.0
+    }
+}
+
+/// The boxes around things of so many nodes.
+fn boxes<const N: usize>(things: &[[NodeId; N]], positions: &[DVec3]) -> Vec<Bounds> {
+    let around = |nodes: &[NodeId; N]| Bounds::around(nodes.map(|n| positions[n.index()]));
+    things.iter().map(around).collect()
+}
+
+/// A ball around a thing.
+#[derive(Clone, Copy, Debug)]
+struct Ball {
+    at: DVec3,
+    radius: f64,
+}
+
+impl Ball {
+    /// About the middle of the first two of its nodes.
+    fn around(nodes: &[NodeId], positions: &[DVec3]) -> Self {
+        let place = |n: &NodeId| positions[n.index()];
+        let at = 0.5 * (place(&nodes[0]) + place(&nodes[1]));
+        Self { at, radius: nodes.iter().map(|n| (place(n) - at).length()).fold(0.0, f64::max) }
+    }
+
+    /// Whether two things are surely farther apart than that.
+    fn is_apart(&self, other: &Self, distance: f64) -> bool {
+        (self.at - other.at).length_squared() > (distance + self.radius + other.radius).powi(2)
     }
 }

@@ -2,11 +2,11 @@
 
 use std::ops::ControlFlow;
 
+use origami_core::Solver;
 use origami_core::contact::Crossings;
 use origami_core::generate::catalog;
 use origami_core::scene::{Scene, Targets};
 use origami_core::solve::{ContactRelax, Relax, State, Stop};
-use origami_core::Solver;
 
 use crate::{model, off, watched};
 

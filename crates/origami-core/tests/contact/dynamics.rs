@@ -4,7 +4,8 @@ use origami_core::contact::{Contact, Crossings};
 use origami_core::glam::DVec3;
 use origami_core::scene::Scene;
 use origami_core::solve::{
-    ContactDynamics, ContactRelax, Dynamics, Folded, Integrator, Relax, State, Stop, TimeStep, Touch, time_step, unwatched,
+    ContactDynamics, ContactRelax, Dynamics, Folded, Integrator, Relax, State, Stop, TimeStep, Touch, time_step,
+    unwatched,
 };
 use origami_core::{Material, Model, Solver};
 
@@ -34,7 +35,7 @@ fn fly(name: &str, (gap, stiffness): (f64, f64), (pieces, steps): (usize, u64)) 
     let model = undamped(name);
     let solver = of_steps(&model, steps, Integrator::Verlet, Contact { gap, stiffness, ..Contact::default() });
     let mut state = Relax::default().fold_from_rest(&model, 90.0).expect("it folds").state;
-    let (mut first, mut worst, mut touched, mut crossed, mut shortened) = (None, 0.0_f64, 0, 0, 0);
+    let (mut first, mut worst, mut touched, mut crossed) = (None, 0.0_f64, 0, 0);
     for _ in 0..pieces {
         let mut look = |step: u64, positions: &[DVec3]| {
             if step.is_multiple_of(10) {
@@ -47,16 +48,14 @@ fn fly(name: &str, (gap, stiffness): (f64, f64), (pieces, steps): (usize, u64)) 
         let before = *first.get_or_insert(now);
         worst = worst.max((now - before).abs() / before);
         touched += usize::from(touch.least_gap.is_finite());
-        shortened += touch.limited;
         state = folded.state;
     }
-    println!("{name} {gap} {stiffness}: drift {worst:e}, touched {touched}, shortened {shortened}, crossed {crossed}");
     (worst, touched as f64 / pieces as f64, crossed)
 }
 
 #[test]
 fn a_sheet_that_bounces_keeps_its_energy() {
-    let (drift, touched, crossed) = fly("strip", (0.01, 500.0), (20, 100));
+    let (drift, touched, crossed) = fly("strip", (0.01, 50.0), (20, 200));
     assert!(drift < 1e-3, "{drift}");
     assert!(touched > 0.3, "it touches: {touched}");
     assert_eq!(crossed, 0);
@@ -65,11 +64,29 @@ fn a_sheet_that_bounces_keeps_its_energy() {
 #[test]
 #[ignore = "some seconds: ten thousand steps each"]
 fn ten_thousand_steps_in_contact_keep_energy() {
-    for (name, gap) in [("strip", (0.01, 500.0)), ("bird-base", (0.01, 5e3)), ("square-twist", (0.01, 50.0)), ("strip", (1e-3, 5e4))] {
-        let (drift, touched, crossed) = fly(name, gap, (100, 100));
+    let sheets =
+        [("strip", 50.0), ("strip", 500.0), ("bird-base", 500.0), ("square-twist", 50.0), ("square-twist", 500.0)];
+    for (name, stiffness) in sheets {
+        let (drift, touched, crossed) = fly(name, (0.01, stiffness), (20, 500));
         assert!(drift < 1e-3, "{name}: {drift}");
         assert!(touched > 0.3, "{name} touches: {touched}");
         assert_eq!(crossed, 0, "{name}");
+    }
+}
+
+#[test]
+fn what_slams_shut_is_stopped_and_does_not_cross() {
+    for name in ["strip", "bird-base", "square-twist"] {
+        let model = undamped(name);
+        // All creases are let go at once, of a sheet that hardly pushes: no barrier brakes that.
+        let contact = Contact { gap: 3e-3, stiffness: 1.0, ..Contact::default() };
+        let solver = of_steps(&model, 1500, Integrator::Verlet, contact);
+        let (start, mut crossed) = (State::perturbed(&model, 1e-2, 1), 0);
+        let mut look = |_: u64, positions: &[DVec3]| {
+            crossed += usize::from(!Crossings::of(&model.mesh, positions).is_empty());
+        };
+        let (_, touch) = solver.fold_looking(&model, &start, &Scene::percent(100.0), &mut look).expect("it moves");
+        assert!(touch.limited > 0 && crossed == 0, "{name}: {} stops, {crossed} crossed", touch.limited);
     }
 }
 
@@ -82,14 +99,12 @@ fn a_damped_sheet_comes_to_rest_where_relaxation_brings_it() {
     let dynamics = Dynamics { ramp: 2000, max_steps: 400_000, tolerance: 1e-5, ..Dynamics::default() };
     let (moved, touch) =
         ContactDynamics { dynamics, contact }.fold_touching(&model, &start, &scene, &mut unwatched).expect("it moves");
-    println!("damped: {:?} {} steps, {} limited {:?}", moved.stop, moved.steps, touch.limited, touch.least_gap);
     assert_eq!(moved.stop, Stop::Converged);
     assert!(touch.least_gap < contact.gap && touch.least_gap > 0.0);
     let relax = Relax { tolerance: 1e-5, ..Relax::default() };
     let relaxed = ContactRelax { relax, contact }.fold(&model, &start, &scene, &mut unwatched).expect("it folds");
     let apart = moved.state.fold_angles.iter().zip(&relaxed.state.fold_angles).map(|(a, b)| (a - b).abs().to_degrees());
     let apart = apart.fold(0.0, f64::max);
-    println!("damped {apart} degrees");
     assert!(apart < 0.2, "{apart} degrees");
 }
 
@@ -110,7 +125,6 @@ fn without_touching_it_moves_as_dynamics_does() {
             apart(&free.state.positions, &held.state.positions),
             apart(&free.state.velocities, &held.state.velocities),
         ];
-        println!("{integrator:?} {places:e} {speeds:e} of {moved}");
         assert!(moved > 0.05 && places < 1e-12 && speeds < 1e-11, "{integrator:?}: {places} {speeds} of {moved}");
     }
 }

@@ -31,6 +31,11 @@ pub(super) fn add(model: &Model, positions: &[DVec3], angles: &[f64], pairs: &Pa
         }
     }
     directions(model, angles, pairs, order);
+    for pair in 0..pairs.triangles.len() {
+        if let Some(above) = pairs.own(pair) {
+            order.demand(Literal { pair, turned: false }, above);
+        }
+    }
     let joints = joints(model, positions, pairs);
     let corners = |t: u32| {
         let flat = Flat::new(pairs.up[t as usize]);

@@ -12,6 +12,7 @@ use origami::{CreasePattern, Error, Warning, measure};
 
 use super::order::{self, Ended, Order};
 use super::summary::{self, Told};
+use super::touching::Touching;
 use crate::backend::Method;
 use crate::draw::{self, Artist, Subject};
 use crate::exit::Exit;
@@ -112,15 +113,17 @@ fn attempt(
     };
     let (mut steps, mut touches) = (Vec::new(), Vec::new());
     let mut path = |percents: &[f64], before: usize| {
-        let gone = match (&stages, settings.contact.map(|asked| asked.of(&model)), &settings.method) {
-            (Some(stages), contact, Method::Relax(relax)) => {
+        let contact = settings.contact.map(|asked| asked.of(&model));
+        let touching = contact.and_then(|contact| Touching::new(&settings.method, contact));
+        let gone = match (&stages, touching, &settings.method) {
+            (Some(stages), _, Method::Relax(relax)) => {
                 // How many stages there are is not known where the way is told.
                 let mut watched = |_, progress| watched(0, progress);
                 order::in_steps(&model, (relax, contact), &start, (stages, settings.parts), &mut watched)?
             }
-            (None, Some(contact), Method::Relax(relax)) => {
+            (None, Some(solver), _) => {
                 let mut watched = |stage, progress| watched(before + stage, progress);
-                order::in_contact(&model, (relax, contact), &start, percents, &mut watched)?
+                order::in_contact(&model, solver, &start, percents, &mut watched)?
             }
             _ => {
                 let mut watched = |stage, progress| watched(before + stage, progress);
@@ -218,6 +221,7 @@ fn attempt(
         steps: &steps,
         animated: settings.animated,
         artist: &artist,
+        thickness: settings.contact.and_then(|asked| asked.thickness),
         fps: settings.film.fps,
     };
     let contact = Sheet { states: shown.as_deref().unwrap_or(&states), ..sheet };
@@ -300,6 +304,7 @@ fn draw_pattern(
         steps: &[],
         animated: false,
         artist: &artist,
+        thickness: None,
         fps: None,
     };
     targets.iter().try_for_each(|target| files::write(target, &sheet).map(|_| ()))
@@ -314,7 +319,8 @@ fn write(
 ) -> Result<(Vec<String>, Option<Warning>), Error> {
     if let (Format::Film, Destination::File(path)) = (target.format, &target.destination) {
         let states = sheet.states_of(Format::Film);
-        let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
+        let steps = sheet.steps_of(Format::Film);
+        let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states, steps };
         let mut drawn = |drawn, of| observe(Seen::Pictures(drawn, of));
         files::make_folder(target)?;
         return Ok((draw::film(sheet.artist, subject, settings.film, path, &mut drawn)?, None));

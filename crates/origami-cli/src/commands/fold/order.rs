@@ -8,11 +8,10 @@ use origami::fold::{Document, Frame};
 use origami::model::Model;
 use origami::scene::Scene;
 use origami::sequence::{SEQUENCE, Sequence, Stage, TIMELINE};
-use origami::solve::{
-    ContactRelax, Failed, Folded, PathFailed, Progress, Relax, SequenceFailed, State, Stop, fold_sequence,
-};
+use origami::solve::{Failed, Folded, PathFailed, Progress, Relax, SequenceFailed, State, Stop, fold_sequence};
 use origami::{CreasePattern, Error};
 
+use super::touching::Touching;
 use crate::args::SequenceSource;
 use crate::report::ContactFacts;
 
@@ -132,24 +131,21 @@ pub(super) fn in_steps(
 /// Folds to each percentage in turn under contact.
 pub(super) fn in_contact(
     model: &Model,
-    (relax, contact): (&Relax, Contact),
+    mut solver: Touching,
     start: &State,
     percents: &[f64],
     observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Result<Gone, Ended> {
-    let mut solver = ContactRelax { relax: relax.clone(), contact };
     let (mut gone, mut from) = (Gone::default(), 0.0);
     for (number, &percent) in percents.iter().enumerate() {
         let before = gone.states.last().map_or(start, |folded| &folded.state);
-        let folded =
-            solver.fold_touching(model, before, &Scene::percent(percent), &mut |progress| observe(number, progress));
+        let folded = solver.fold(model, before, &Scene::percent(percent), &mut |progress| observe(number, progress));
         let (folded, touch) = match folded {
             Ok(folded) => folded,
             Err(failed) => return Err(PathFailed { states: gone.states, percent, failed }.into()),
         };
         if before.targets != folded.state.targets {
-            // The sheet is off every symmetry from its first move on.
-            solver.relax.perturbation = 0.0;
+            solver.goes_on();
         }
         let (blocked, ended) = (folded.stop == Stop::Blocked, folded.stop == Stop::Cancelled);
         gone.touches.push(ContactFacts::new(model, &touch, blocked, Some([from, percent])));

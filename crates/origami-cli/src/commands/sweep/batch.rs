@@ -263,6 +263,7 @@ impl Work<'_> {
             states: &[folded],
             animated: false,
             artist: &artist,
+            thickness: None,
             fps: None,
         };
         let write = |format: &files::Format| {

@@ -3,10 +3,12 @@
 use glam::DVec3;
 
 use super::super::limit::FLOOR;
-use super::{LONGEST, Layers};
+use super::Layers;
 
-/// The skin grows with the moves to so many times what it is at least.
-const WIDEST: f64 = 10.0;
+/// Pairs are listed up to so many times the skin beyond the gap where moves are long, ...
+const WIDEST: f64 = 20.0;
+/// ... and so many times farther than they ask for, so that a list lasts.
+const WIDER: f64 = 1.5;
 /// A pair with less than so many times the gap that is never used up is left to [`Layers::limit`].
 const CLOSED: f64 = 2.0;
 
@@ -34,16 +36,18 @@ impl Layers {
         let swiftest = velocities.iter().map(|v| v.length_squared()).fold(0.0, f64::max).sqrt();
         self.widen(positions, swiftest * longest);
         // Pairs that are not listed are out of reach.
-        let within = self.longest_move();
-        let mut step = Step { time: if swiftest * longest > within { within / swiftest } else { longest }, limited: false };
-        let bound = self.contact.gap + 2.0 * step.time * swiftest + 2.0 * self.way;
-        for (number, due) in (0..).zip(&mut self.due) {
+        let within = 0.25 * self.room;
+        let mut step =
+            Step { time: if swiftest * longest > within { within / swiftest } else { longest }, limited: false };
+        let bound = self.look_for_near_within(positions, self.contact.gap + 2.0 * step.time * swiftest);
+        let Self { pairs, soon, way, .. } = self;
+        for (brief, due) in soon.pairs.iter().zip(&mut soon.due) {
             if *due >= bound {
                 continue;
             }
-            let pair = &self.pairs[number as usize];
-            let near = pair.near(number, positions);
-            *due = near.gap + 2.0 * self.way;
+            let pair = &pairs[brief.number as usize];
+            let near = pair.near(brief.number, positions);
+            *due = near.gap + 2.0 * *way;
             let closed = near.gap < CLOSED * FLOOR * pair.width;
             let may_lose = match near.gap - pair.width {
                 beyond if beyond > 0.0 => beyond + share * pair.width,
@@ -67,10 +71,10 @@ impl Layers {
 
     /// Lists pairs as far away as moves of that length ask for, in radii.
     fn widen(&mut self, positions: &[DVec3], longest: f64) {
-        let wanted = (longest / LONGEST).clamp(self.least_skin, WIDEST * self.least_skin);
-        if wanted > self.skin || 4.0 * wanted < self.skin {
-            self.skin = (1.5 * wanted).min(WIDEST * self.least_skin);
-            self.list(positions);
+        let wanted = (4.0 * longest).clamp(self.skin, WIDEST * self.skin);
+        if wanted > self.room || 4.0 * WIDER * wanted < self.room {
+            self.room = (WIDER * wanted).min(WIDEST * self.skin);
+            self.listed_at.clear();
             self.measure(positions);
         }
     }

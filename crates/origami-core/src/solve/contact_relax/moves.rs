@@ -14,15 +14,19 @@ impl Run<'_> {
         if self.steps.is_multiple_of(RENEWAL) {
             row_sums(self.model, &self.positions, &mut self.springs);
         }
-        self.layers.measure(&self.positions);
-        self.touch.most_pairs = self.touch.most_pairs.max(self.layers.listed());
-        self.masses.copy_from_slice(&self.springs);
-        self.forces.fill(DVec3::ZERO);
-        self.layers.add(&self.positions, &mut self.forces, &mut self.masses);
-        self.surroundings.held().clear(&mut self.forces);
         for (force, [_, springs]) in self.forces.iter_mut().zip(self.kernel.positions_and_forces()) {
-            *force += springs;
+            *force = springs;
         }
+        self.masses.copy_from_slice(&self.springs);
+        let felt = self.layers.felt(&self.positions);
+        for ((force, mass), [x, y, z, sum]) in self.forces.iter_mut().zip(&mut self.masses).zip(felt) {
+            *force += DVec3::new(*x, *y, *z);
+            *mass += sum;
+        }
+        if !felt.is_empty() {
+            self.surroundings.held().clear(&mut self.forces);
+        }
+        self.touch.most_pairs = self.touch.most_pairs.max(self.layers.listed());
         turned
     }
 
@@ -44,32 +48,40 @@ impl Run<'_> {
         }
         let Decision { step, keep, towards_force, back } = fire_update(&mut self.fire, sums);
         let longest = self.layers.longest_move();
+        let mut largest = 0.0_f64;
         for (((by, velocity), force), mass) in
             self.moves.iter_mut().zip(&mut self.velocities).zip(&self.forces).zip(&self.masses)
         {
             let old = *velocity;
             *velocity = keep * old + (towards_force / mass) * *force;
             *by = step * *velocity + back * old;
-            let length = by.length();
-            if length > longest {
-                *by *= longest / length;
-                *velocity *= longest / length;
+            let square = by.length_squared();
+            if square > longest * longest {
+                let share = longest / square.sqrt();
+                *by *= share;
+                *velocity *= share;
             }
+            largest = largest.max(square);
         }
-        let shares = self.layers.limit(&self.positions, &self.moves);
-        let (mut largest, mut limited) = (0.0_f64, false);
-        for (((p, by), velocity), share) in
-            self.positions.iter_mut().zip(&mut self.moves).zip(&mut self.velocities).zip(shares)
-        {
-            if *share < 1.0 {
-                limited = true;
-                *by *= *share;
-                *velocity *= *share;
+        let mut largest = largest.sqrt().min(longest);
+        let mut limited = false;
+        if self.layers.in_the_way(&self.positions, largest) {
+            let shares = self.layers.limit(&self.positions, &self.moves);
+            let mut made = 0.0_f64;
+            for ((by, velocity), share) in self.moves.iter_mut().zip(&mut self.velocities).zip(shares) {
+                if *share < 1.0 {
+                    limited = true;
+                    *by *= *share;
+                    *velocity *= *share;
+                }
+                made = made.max(by.length_squared());
             }
+            largest = made.sqrt();
+        }
+        for (p, by) in self.positions.iter_mut().zip(&self.moves) {
             *p += *by;
-            largest = largest.max(by.length_squared());
         }
-        self.layers.moved(largest.sqrt());
+        self.layers.moved(largest);
         if limited {
             self.touch.limited += 1;
             self.last_limited = self.steps;

@@ -72,9 +72,8 @@ impl ContactNewton {
         if !matches!(near.stop, Stop::Converged | Stop::Blocked) {
             return Ok((near, touch));
         }
-        let mut watch = |evaluations, distance| {
-            observe(Progress { step: near.steps + evaluations, ramp: 1.0, distance })
-        };
+        let mut watch =
+            |evaluations, distance| observe(Progress { step: near.steps + evaluations, ramp: 1.0, distance });
         let (reached, touch) = self.settle((model, scene), &near.state, touch, &mut watch)?;
         let stop = match (reached.cancelled, reached.converged) {
             (true, _) => Stop::Cancelled,
@@ -113,19 +112,19 @@ impl ContactNewton {
     ) -> Result<(Equilibrium, Touch), Failed> {
         let refused = |refusal| Failed::refused(refusal, start);
         check_contact(self.relax.contact, self.relax.relax.precision, scene).map_err(refused)?;
-        let layers: Layers =
-            first_layers(model, &start.positions, self.relax.contact, false).map_err(refused)?;
+        let layers: Layers = first_layers(model, &start.positions, self.relax.contact, false).map_err(refused)?;
         let pressed = Arc::new(Pressed::new(layers, &start.positions));
         let scene = scene.clone().with_targets(Targets::at_rest());
         let (mut state, mut projected) = (start.clone(), true);
         let (mut factorisations, mut evaluations, mut cancelled) = (0, 0, false);
         loop {
             pressed.grow(&state.positions, projected);
-            let mut descent = Descent::under_contact(model, &scene, pressed.clone()).ok_or_else(|| Failed::Backend {
-                source: Arc::new(OutOfMemory { rows: 3 * model.node_count() }),
-                last_read: Box::new(start.clone()),
-                last_read_step: 0,
-            })?;
+            let mut descent =
+                Descent::under_contact(model, &scene, pressed.clone()).ok_or_else(|| Failed::Backend {
+                    source: Arc::new(OutOfMemory { rows: 3 * model.node_count() }),
+                    last_read: Box::new(start.clone()),
+                    last_read_step: 0,
+                })?;
             (descent.factorisations, descent.evaluations) = (factorisations, evaluations);
             let goal = if projected { NEAR.max(self.residual) } else { self.residual };
             let mut watch = |evaluations, moved| {

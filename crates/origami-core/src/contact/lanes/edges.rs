@@ -1,0 +1,24 @@
+//! The distance of edges from each other.
+
+use super::{Given, Measured, WIDTH, choose, clamped};
+
+/// Measures two edges each, as [`super::super::distance::of_edges`] does. Those that are nearly parallel are told by
+/// [`Measured::sine`].
+#[inline(always)]
+pub(in crate::contact) fn measure_edges(given: &Given, measured: &mut Measured) {
+    for i in 0..WIDTH {
+        let [p, q, r, s] = given.points(i);
+        let (u, v, w) = (q - p, s - r, p - r);
+        let (a, b, c, d, e) = (u.length_squared(), u.dot(v), v.length_squared(), u.dot(w), v.dot(w));
+        let det = a * c - b * b;
+        let along = clamped((b * e - c * d) / det);
+        let t = (b * along + e) / c;
+        // Beyond an end of the second edge, that end is the nearest.
+        let (before, beyond) = (t < 0.0, t > 1.0);
+        let from_end = clamped(choose(before, -d, b - d) / a);
+        let first = choose(before | beyond, from_end, along);
+        let second = clamped(t);
+        measured.set(i, [1.0 - first, first, second - 1.0, -second], w + first * u - second * v, given.closed[i]);
+        measured.sine[i] = det / (a * c);
+    }
+}

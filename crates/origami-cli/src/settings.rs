@@ -95,7 +95,9 @@ impl Settings {
         let stages = args.frames.or(sheet_alone.then_some(STAGES));
         let from_flat = args.from_flat.then(|| 100.0_f64.copysign(args.percent));
         let stages_to = |n| frame_percents(from_flat.unwrap_or(0.0), args.percent, n);
-        let percents = stages.filter(|_| sequence.is_none() && !args.contact.backwards).map_or_else(|| vec![args.percent], stages_to);
+        let percents = stages
+            .filter(|_| sequence.is_none() && !args.contact.backwards)
+            .map_or_else(|| vec![args.percent], stages_to);
         Ok(Self {
             frame: args.frame,
             percents,
@@ -181,7 +183,7 @@ impl Settings {
     }
 }
 
-/// Whether `--sequence` or `--contact` is asked for; what goes with neither is refused.
+/// Whether `--sequence` or `--contact` is asked for; what does not go with it is refused.
 fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
     let solving = &args.solving;
     let asked = [
@@ -190,11 +192,21 @@ fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
         ("--contact", args.contact.keeps_apart()),
     ];
     let Some((option, _)) = asked.iter().find(|(_, given)| *given) else { return Ok(false) };
-    if solving.solver != SolverName::Relax {
-        return Err(format!("--solver {}: it has no {option}; expected relax", solving.solver.name()));
+    let (able, expected): (&[SolverName], _) = match args.contact.sequence {
+        Some(_) => (&[SolverName::Relax], "relax"),
+        None => (&[SolverName::Relax, SolverName::Dynamics, SolverName::Newton], "relax, newton or dynamics"),
+    };
+    if !able.contains(&solving.solver) {
+        return Err(format!("--solver {}: it has no {option}; expected {expected}", solving.solver.name()));
     }
     if solving.backend == BackendName::Gpu && args.contact.sequence.is_some() {
         return Err("--backend gpu: --sequence runs on the processor; expected auto or cpu".to_owned());
+    }
+    if solving.backend == BackendName::Gpu && solving.solver != SolverName::Relax {
+        let solver = solving.solver.name();
+        return Err(format!(
+            "--backend gpu: it has no --contact for {solver}; expected auto or cpu, or --solver relax"
+        ));
     }
     if args.contact.keeps_apart() && solving.precision() != Precision::F64 {
         return Err("--precision mixed: contact needs f64; expected f64 with --contact".to_owned());

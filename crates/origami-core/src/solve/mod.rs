@@ -14,6 +14,7 @@ mod backwards;
 mod bare_kernel;
 mod clock;
 mod clusters;
+mod contact_dynamics;
 #[doc(hidden)]
 pub mod contact_end;
 mod contact_relax;
@@ -48,11 +49,12 @@ mod surroundings;
 mod sweep;
 mod threads;
 pub mod time_step;
+mod touch;
 
 pub use backwards::{Backwards, Motion, NotBackwards};
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
-pub use contact_end::{Touch, Touching};
+pub use contact_dynamics::ContactDynamics;
 pub use contact_relax::ContactRelax;
 pub use crushed::{CRUSHED, crushed_triangles};
 use driver::REPORT;
@@ -63,7 +65,7 @@ pub use failed::Failed;
 pub use guard::{Diverged, Quantity};
 pub use integrator::Integrator;
 #[cfg(feature = "newton")]
-pub use newton::Newton;
+pub use newton::{ContactNewton, Newton};
 pub use path::{PathFailed, fold_path, fold_path_from, frame_percents};
 pub use positions::{Positions, Units};
 pub use precision::Precision;
@@ -78,6 +80,7 @@ pub use sweep::{Point, Sweep};
 #[doc(hidden)]
 pub use threads::NODES_A_THREAD;
 pub use time_step::TimeStep;
+pub use touch::{Touch, Touching};
 
 /// A fold angle past this many degrees means that layers have gone through each other and the state is tangled.
 pub const TANGLED_DEGREES: f64 = 200.0;

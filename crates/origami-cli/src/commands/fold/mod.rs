@@ -4,6 +4,7 @@ mod one;
 mod order;
 mod queue;
 mod summary;
+mod touching;
 
 use std::path::Path;
 

@@ -10,7 +10,7 @@ use origami::model::Model;
 use origami::scene::Scene;
 use origami::sequence::{SEQUENCE, Sequence, Stage, TIMELINE};
 use origami::solve::{
-    Backwards, ContactRelax, Failed, Folded, NotBackwards, PathFailed, Progress, Relax, SequenceFailed, State, Stop, Touching,
+    Backwards, Failed, Folded, NotBackwards, PathFailed, Progress, Relax, SequenceFailed, State, Stop, Touching,
     fold_sequence,
 };
 use origami::{CreasePattern, Error};
@@ -153,27 +153,26 @@ pub(super) fn backwards(
     Ok(Gone { states: motion.states, orders: Some(motion.stacking.faces), ..Gone::default() })
 }
 
-/// Folds to each percentage in turn under contact, by what `solver` makes of settings.
+/// Folds to each percentage in turn under contact, by what `solver` makes, which is told whether the sheet goes on, off every
+/// symmetry.
 pub(super) fn in_contact(
     model: &Model,
-    (relax, contact, solver): (&Relax, Contact, &dyn Fn(ContactRelax) -> Box<dyn Touching>),
+    solver: &dyn Fn(bool) -> Box<dyn Touching>,
     start: &State,
     percents: &[f64],
     observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Result<Gone, Ended> {
-    let mut settings = ContactRelax { relax: relax.clone(), contact };
-    let (mut gone, mut from) = (Gone::default(), 0.0);
+    let (mut gone, mut from, mut goes_on) = (Gone::default(), 0.0, false);
     for (number, &percent) in percents.iter().enumerate() {
         let before = gone.states.last().map_or(start, |folded| &folded.state);
-        let (solver, scene) = (solver(settings.clone()), Scene::percent(percent));
+        let (solver, scene) = (solver(goes_on), Scene::percent(percent));
         let folded = solver.fold_touching(model, before, &scene, &mut |progress| observe(number, progress));
         let (folded, touch) = match folded {
             Ok(folded) => folded,
             Err(failed) => return Err(PathFailed { states: gone.states, percent, failed }.into()),
         };
         if before.targets != folded.state.targets {
-            // The sheet is off every symmetry from its first move on.
-            settings.relax.perturbation = 0.0;
+            goes_on = true;
         }
         let (blocked, ended) = (folded.stop == Stop::Blocked, folded.stop == Stop::Cancelled);
         gone.touches.push(ContactFacts::new(model, &touch, blocked, Some([from, percent])));

@@ -4,18 +4,18 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
-use super::super::contact_end::{Touch, farthest, is_held_up, patience, residual, touched};
 use super::super::guard::Guard;
 use super::super::ramp::Ramp;
 use super::super::relax::ramp_between;
 use super::super::settle::Settling;
 use super::super::surroundings::Surroundings;
+use super::super::touch::{Touch, first_layers, is_held_up, patience, residual};
 use super::super::{Failed, Folded, Progress, REPORT, State, Stop};
 use super::ContactRelax;
-use crate::contact::{Crossings, Layers};
+use crate::contact::Layers;
 use crate::kernel::{Bounds, Kernel};
 use crate::model::Model;
-use crate::scene::{Refusal, Scene};
+use crate::scene::Scene;
 use crate::twins::checkpoint::COPY_EVERY;
 use crate::twins::fire_update::{Fire, HOLD};
 use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
@@ -57,7 +57,6 @@ impl<'a> Run<'a> {
         (positions, targets): (Vec<DVec3>, Vec<f64>),
         threads: usize,
     ) -> Result<Self, Failed> {
-        let refused = |refusal| Failed::refused(refusal, start);
         let length = solver.relax.ramp.unwrap_or_else(|| ramp_between(model, start.targets.iter().copied(), &targets));
         let ramp = Ramp::new(&start.targets, targets, length);
         let bounds = Bounds { farthest: FARTHEST, longest_move: LONGEST_MOVE };
@@ -65,15 +64,8 @@ impl<'a> Run<'a> {
         let mut surroundings = Surroundings::new(model, scene);
         surroundings.install(model, &mut kernel);
         kernel.set_targets(ramp.targets());
-        let crossings = Crossings::of(&model.mesh, &positions);
-        if let Some([one, other]) = crossings.faces.first() {
-            return Err(refused(Refusal::Crossed { faces: [*one, *other] }));
-        }
-        let mut layers = Layers::new(&model.mesh, &model.rest, solver.contact, threads > 1);
-        layers.measure(&positions);
-        if layers.least_gap() <= 0.0 {
-            return Err(refused(Refusal::Closed { gap: layers.least_gap() }));
-        }
+        let layers = first_layers(model, &positions, solver.contact, threads > 1);
+        let layers = layers.map_err(|refusal| Failed::refused(refusal, start))?;
         let nodes = model.node_count();
         Ok(Self {
             solver,
@@ -148,19 +140,20 @@ impl<'a> Run<'a> {
         self.touch.limited > 0 && self.steps - self.last_limited <= COPY_EVERY
     }
 
-    /// Whether layers press, and a crease is far from the angle asked of it.
     fn is_held_up(&self) -> bool {
+        is_held_up(&self.layers, &self.angles(), self.ramp.asked())
+    }
+
+    fn angles(&self) -> Vec<f64> {
         let mut angles = vec![0.0; self.model.creases.len()];
         self.kernel.read_angles(&mut angles);
-        is_held_up(&self.layers, farthest(&angles, self.ramp.asked()))
+        angles
     }
 
     /// All that moves, without targets.
     fn state(&self) -> State {
-        let mut fold_angles = vec![0.0; self.model.creases.len()];
-        self.kernel.read_angles(&mut fold_angles);
         let (positions, velocities) = (self.positions.clone(), self.velocities.clone());
-        State { positions, velocities, fold_angles, targets: Vec::new() }
+        State { positions, velocities, fold_angles: self.angles(), targets: Vec::new() }
     }
 
     /// The state that it has come to, measured by the plain forces and those of contact.
@@ -170,7 +163,7 @@ impl<'a> Run<'a> {
         self.layers.measure(&self.positions);
         let mut state = self.state();
         state.targets = self.ramp.into_asked();
-        let touch = touched(self.model, &self.layers, &state, std::mem::take(&mut self.touch));
+        let touch = std::mem::take(&mut self.touch).at_end(self.model, &self.layers, &state);
         state.velocities.fill(DVec3::ZERO);
         let (residual, reactions) =
             residual((self.model, self.scene), self.surroundings.held(), &self.layers, &mut state);

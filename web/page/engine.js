@@ -34,7 +34,7 @@ export async function filmEngine(heard, text) {
     const { opened, frames, low, unit, strain } = head;
     const { nodes, triangles, edges } = opened;
     const numbers = 3 * nodes;
-    let place = at + 4 * (numbers + 3 * triangles + 3 * edges);
+    let place = at + 4 * (numbers + 4 * triangles + 3 * edges);
     let [last, before] = [undefined, undefined];
     let strains = new Uint8Array(nodes);
     const states = frames.map(() => {
@@ -69,7 +69,7 @@ export async function filmEngine(heard, text) {
         const [a, b, t] = [states[low], states[low + 1] ?? states[low], share - low];
         const points = a.map((x, i) => x + t * (b[i] - x));
         const nearest = frames[t < 0.5 || !states[low + 1] ? low : low + 1];
-        const reply = { ...nearest, is: "frame", percent: shown, running: shown !== wanted, settled: nearest.settled && shown === wanted };
+        const reply = { ...nearest, is: "frame", percent: shown, running: shown !== wanted, settled: nearest.settled && shown === wanted, crossings: share === low || share === low + 1 ? nearest.crossings : null };
         heard({ head: { ...reply, map, map_max: map === "strain" ? strain : 0 }, buffer: points.buffer, at: 0 });
     };
     const answer = () => {

@@ -11,11 +11,11 @@ export function keys(app) {
         if (typing || command || event.altKey) return;
         if (event.key === " " && event.target.tagName !== "BUTTON") {
             event.preventDefault();
-            return app.foldOrUnfold();
+            return app.recording.now && app.live ? app.recording.play() : app.foldOrUnfold();
         }
         const does = {
-            p: () => app.runOrPause(), s: () => app.step(), "0": () => app.reset(), o: () => app.chooseFile(), g: () => app.gallery(),
-            e: () => app.exports(), "?": () => app.help(), "]": () => app.next(1), "[": () => app.next(-1), Escape: () => app.choose(),
+            p: () => app.runOrPause(), s: () => app.step(), "0": () => app.reset(), o: () => app.files.chooseFile(), g: () => app.files.gallery(),
+            e: () => app.files.exports(), "?": () => app.help(), "]": () => app.next(1), "[": () => app.next(-1), ",": () => app.recording.go(-1), ".": () => app.recording.go(1), Escape: () => app.choose(),
             h: () => app.setTool(app.tool === "grab" ? "turn" : "grab"), Home: () => app.look("corner"),
         };
         does[event.key]?.();

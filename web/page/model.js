@@ -17,6 +17,7 @@ export function opened({ head, buffer, at }) {
         corners: take(Uint32Array, 3 * triangles),
         ends: take(Uint32Array, 2 * edges),
         angles: take(Float32Array, edges),
+        faces: take(Uint32Array, triangles),
         points: new Float32Array(4 * nodes),
         size: 1,
     };

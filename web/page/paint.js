@@ -10,23 +10,20 @@ vec4 node(uint i) { return texelFetch(nodes, ivec2(i & 1023u, i >> 10u), 0); }
 `;
 
 const FACES = [NODES + `
-in uvec3 corners;
+in uint corner;
 uniform float largest;
-flat out vec3 normal;
-flat out float shift;
+out vec3 place;
 out float value;
 void main() {
-    vec4 a = node(corners.x), b = node(corners.y), c = node(corners.z);
-    int corner = gl_VertexID % 3;
-    vec4 own = corner == 0 ? a : corner == 1 ? b : c;
-    normal = cross(b.xyz - a.xyz, c.xyz - a.xyz);
+    vec4 own = node(corner);
+    place = own.xyz;
     value = own.w / largest;
     gl_Position = matrix * vec4(own.xyz, 1);
     // Faces that lie on each other keep one order, and do not flicker.
-    gl_Position.z += 2e-5 * float(corners.x & 31u) / 31.0 * gl_Position.w;
+    gl_Position.z += 2e-5 * float(gl_VertexID / 3 & 31) / 31.0 * gl_Position.w;
 }`, `#version 300 es
 precision highp float;
-flat in vec3 normal;
+in vec3 place;
 in float value;
 uniform vec3 front, back, light;
 uniform vec3 ramp[9];
@@ -39,8 +36,10 @@ void main() {
         int low = min(int(at), 7);
         paper = mix(ramp[low], ramp[low + 1], at - float(low));
     }
+    // From how the place changes to the next pixels comes the side of the face that is seen.
+    vec3 normal = cross(dFdx(place), dFdy(place));
     float n = length(normal);
-    float facing = n > 0.0 ? dot(normal / n, light) * (gl_FrontFacing ? 1.0 : -1.0) : 0.5;
+    float facing = n > 0.0 ? dot(normal / n, light) : 0.5;
     float lit = 0.72 + 0.24 * max(facing, 0.0) + 0.08 * facing;
     colour = vec4(paper * (mapped ? 0.75 + 0.25 * lit : lit), 1);
 }`];
@@ -69,6 +68,20 @@ precision highp float;
 in vec4 paint;
 out vec4 colour;
 void main() { colour = paint; }`];
+
+/** Lines as thin as the screen can, for so many of them that wide ones would take long. */
+const HAIRS = [NODES + `
+in uint dot;
+in uint kind;
+uniform vec4 colours[8];
+uniform float nearer;
+out vec4 paint;
+void main() {
+    gl_Position = matrix * vec4(node(dot).xyz, 1);
+    gl_Position.z -= nearer * gl_Position.w;
+    paint = colours[kind];
+    if (paint.a == 0.0) gl_Position = vec4(2, 2, 2, 1);
+}`, LINES[1]];
 
 const DOTS = [NODES + `
 in uint dot;
@@ -115,4 +128,4 @@ function program(gl, [vertex, fragment]) {
     return { made, places, attribute: (name) => gl.getAttribLocation(made, name) };
 }
 
-export const programs = (gl) => ({ faces: program(gl, FACES), lines: program(gl, LINES), dots: program(gl, DOTS) });
+export const programs = (gl) => ({ faces: program(gl, FACES), lines: program(gl, LINES), hairs: program(gl, HAIRS), dots: program(gl, DOTS) });

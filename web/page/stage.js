@@ -9,7 +9,20 @@ const KINDS = ["line-b", "line-m", "line-v", "line-f", "line-u"];
 const [HOVER, SELECTED, WARNED] = [5, 6, 7];
 const WIDTH = 1024;
 /** Corners that are drawn of each. */
-const CORNERS = { faces: 3, lines: 6, dots: 1 };
+const CORNERS = { faces: 1, lines: 6, hairs: 1, dots: 1 };
+/** A sheet that has not changed for so many milliseconds stands still. */
+const CALM = 250;
+/** From so many edges on they are hairs. */
+const DENSE = 4000;
+
+/** Whether the processor draws: then four samples for each pixel take three times as long as one. */
+function isSoftware() {
+    const gl = document.createElement("canvas").getContext("webgl2");
+    const named = gl?.getExtension("WEBGL_debug_renderer_info");
+    const name = named ? gl.getParameter(named.UNMASKED_RENDERER_WEBGL) : gl?.getParameter(gl.RENDERER);
+    gl?.getExtension("WEBGL_lose_context")?.loseContext();
+    return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ?? "");
+}
 
 export class Stage {
     constructor(canvas) {
@@ -23,14 +36,15 @@ export class Stage {
         this.begin();
         canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
         canvas.addEventListener("webglcontextrestored", () => {
-            this.faces = this.lines = undefined;
+            this.faces = this.lines = this.crossed = undefined;
             this.begin();
             if (this.model) this.open(this.model);
         });
     }
 
     begin() {
-        const gl = (this.gl = this.canvas.getContext("webgl2", { antialias: true, alpha: false }));
+        this.software ??= isSoftware();
+        const gl = (this.gl = this.canvas.getContext("webgl2", { antialias: !this.software, alpha: false }));
         if (!gl) throw new Error("This browser has no WebGL 2, which the picture of the sheet needs.");
         this.programs = programs(gl);
         this.texture = gl.createTexture();
@@ -54,11 +68,14 @@ export class Stage {
         this.texels = new Float32Array(4 * WIDTH * this.rows);
         gl.bindTexture(gl.TEXTURE_2D, this.texture);
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, WIDTH, this.rows, 0, gl.RGBA, gl.FLOAT, null);
-        this.drop(this.faces);
-        this.drop(this.lines);
-        this.faces = this.arrays("faces", [["corners", model.corners, 3]]);
+        [this.faces, this.lines, this.crossed].forEach((arrays) => this.drop(arrays));
+        this.crossed = undefined;
+        this.faces = this.arrays("faces", [["corner", model.corners, 1]]);
         const kinds = Uint32Array.from(model.letters, (letter) => KINDS.indexOf(lineOf(letter)));
-        this.lines = this.arrays("lines", [["ends", model.ends, 2], ["kind", kinds, 1]]);
+        this.hairs = model.edges > DENSE;
+        this.lines = this.hairs
+            ? this.arrays("hairs", [["dot", model.ends, 1], ["kind", Uint32Array.from(model.ends, (_, i) => kinds[i >> 1]), 1]])
+            : this.arrays("lines", [["ends", model.ends, 2], ["kind", kinds, 1]]);
         this.selected.clear();
         this.hover = {};
         this.warned = { nodes: [], edges: [] };
@@ -112,9 +129,21 @@ export class Stage {
         this.dirty = true;
     }
 
-    /** Fits the canvas to the page. */
+    /** Shows faces that cross. */
+    cross(faces) {
+        if (!faces.size && !this.crossed) return;
+        this.drop(this.crossed);
+        const { corners } = this.model;
+        const own = [...this.model.faces.keys()].filter((triangle) => faces.has(this.model.faces[triangle]));
+        const picked = Uint32Array.from(own.flatMap((triangle) => [...corners.subarray(3 * triangle, 3 * triangle + 3)]));
+        this.crossed = picked.length ? this.arrays("faces", [["corner", picked, 1]]) : undefined;
+        this.dirty = true;
+    }
+
+    /** Fits the canvas to the page. Where the processor draws, what moves is drawn coarser if there is much of it, and what stands finer. */
     fit() {
-        const ratio = Math.min(devicePixelRatio || 1, 2);
+        const finer = !this.software ? 1 : this.fine ? 2 : this.hairs ? 0.75 : 1;
+        const ratio = Math.min(devicePixelRatio || 1, 2) * finer;
         const { clientWidth, clientHeight } = this.canvas;
         const [width, height] = [clientWidth, clientHeight].map((x) => Math.max(1, Math.round(x * ratio)));
         if (this.canvas.width !== width || this.canvas.height !== height) {
@@ -127,6 +156,9 @@ export class Stage {
 
     /** Draws, where something has changed. */
     draw() {
+        const now = performance.now();
+        if (this.dirty) Object.assign(this, { fine: false, changed: now });
+        else if (this.software && !this.fine && now - this.changed > CALM) this.fine = true;
         this.fit();
         if (!this.dirty || !this.model) return false;
         this.dirty = false;
@@ -158,16 +190,28 @@ export class Stage {
             gl.polygonOffset(1, 1);
             this.put(this.faces);
             gl.disable(gl.POLYGON_OFFSET_FILL);
+            if (this.crossed) {
+                gl.uniform3fv(places.front, theme.warn);
+                gl.uniform3fv(places.back, theme.warn.map((x) => 0.75 * x));
+                gl.uniform1i(places.mapped, 0);
+                this.put(this.crossed);
+            }
         }
-        const places = use("lines");
         const shown = ["B", "M", "V", "F", "U"].map((letter) => (this.shown[letter] ? 1 : 0));
         const colours = KINDS.flatMap((kind, i) => [...theme[kind], shown[i]]);
         const mark = [theme.accent, theme.accent, theme.warn].flatMap((colour) => [...colour, 1]);
-        gl.uniform4fv(places.colours, [...colours, ...mark]);
-        const thin = this.model.edges > 4000 ? 0.6 : 1;
-        gl.uniform1fv(places.widths, [1.3, 1.2, 1.2, 0.7, 0.9, 3.2, 2.6, 2.6].map((w, i) => w * this.ratio * (i < 5 ? thin : 1)));
-        gl.uniform1f(places.nearer, 1e-4);
-        this.put(this.lines);
+        const pen = (name) => {
+            const places = use(name);
+            gl.uniform4fv(places.colours, [...colours, ...mark]);
+            gl.uniform1f(places.nearer, 1e-4);
+            if (places.widths) gl.uniform1fv(places.widths, [1.3, 1.2, 1.2, 0.7, 0.9, 3.2, 2.6, 2.6].map((w) => w * this.ratio));
+        };
+        if (this.hairs) {
+            pen("hairs");
+            this.put(this.lines, gl.LINES);
+        }
+        pen("lines");
+        if (!this.hairs) this.put(this.lines);
         this.drawMarks(use);
         return true;
     }
@@ -238,6 +282,8 @@ export class Stage {
     /** The picture as PNG. */
     png() {
         this.dirty = true;
+        this.draw();
+        this.changed = -Infinity;
         this.draw();
         return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
     }

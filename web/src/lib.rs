@@ -32,6 +32,11 @@ files! {
     "style.css": "text/css",
     "icon.svg": "image/svg+xml",
     "main.js": "text/javascript",
+    "app.js": "text/javascript",
+    "controls.js": "text/javascript",
+    "crossed.js": "text/javascript",
+    "recording.js": "text/javascript",
+    "files.js": "text/javascript",
     "engine.js": "text/javascript",
     "packet.js": "text/javascript",
     "model.js": "text/javascript",
@@ -69,7 +74,7 @@ mod tests {
                         continue;
                     }
                     found += 1;
-                    assert!(super::file(name).is_some() || name == "origami_web.js", "{} names {name}", file.name);
+                    assert!(super::file(name).is_some(), "{} names {name}", file.name);
                 }
             }
         }

@@ -13,7 +13,7 @@ for (const side of site ? [32] : [32, 100]) {
         document.getElementById("gallery").close();
         if (!draws) origami.stage.draw = () => false;
     }, process.env.DRAW !== "no");
-    await page.evaluate((side) => origami.generate("miura", [["columns", side - 1], ["rows", side - 1]]), side);
+    await page.evaluate((side) => origami.files.generate("miura", [["columns", side - 1], ["rows", side - 1]]), side);
     await page.waitForFunction((side) => origami.model.nodes === side * side && origami.last.settled, side, { timeout: 120_000 });
     const times = [];
     let frames = 0;

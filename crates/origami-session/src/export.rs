@@ -1,12 +1,13 @@
 //! Files of the sheet as it is, as the command line writes them.
 
-use origami_core::Error;
 use origami_core::export::{Pose, write_obj, write_stl};
 use origami_core::measure::attitude::{Hold, turned};
 use origami_core::measure::edge_fold_angles;
 use origami_core::solve::{Report, State};
+use origami_core::{Error, Model};
 
 use crate::message::ExportFormat;
+use crate::packet::Packet;
 use crate::sheet::Sheet;
 
 impl ExportFormat {
@@ -31,24 +32,26 @@ impl ExportFormat {
     }
 }
 
+/// A state of a model: to how many per cent and in which step it was folded.
+pub(crate) type Shown<'a> = (&'a Model, &'a State, Option<f64>, Option<&'a str>);
+
 /// The file.
 pub(crate) fn file(
     format: ExportFormat,
     sheet: &Sheet,
-    state: &State,
-    percent: f64,
+    (model, state, percent, step): Shown<'_>,
     report: Report,
 ) -> Result<Vec<u8>, Error> {
-    let (pattern, model) = (&sheet.pattern, &*sheet.model);
+    let pattern = &sheet.pattern;
     let state = turned(model, state, Hold::Sheet)?;
     let mut bytes = Vec::new();
     match format {
         ExportFormat::Fold => {
             let pose = Pose {
-                percent: Some(percent),
+                percent,
                 positions: model.file_positions(pattern, &state.positions),
                 fold_angles: edge_fold_angles(model, pattern, &state),
-                step: None,
+                step: step.map(str::to_owned),
             };
             let mut document = sheet.template.folded_form(pattern, &pose)?;
             let extra = &mut document.key_frame.extra;
@@ -72,6 +75,12 @@ pub(crate) fn file(
         ExportFormat::Glb => picture::glb(pattern, model, &state, &mut bytes)?,
     }
     Ok(bytes)
+}
+
+/// A film as a page of its own, which is called `title`.
+pub(crate) fn page(film: &Packet, title: &str) -> Result<Vec<u8>, Error> {
+    let page = origami_page::film(&film.to_bytes(), title);
+    page.map(String::into_bytes).map_err(|source| Error::Io { path: "-".to_owned(), source })
 }
 
 #[cfg(feature = "picture")]

@@ -5,12 +5,12 @@
 //! differences from what the frames before let expect, which packs well.
 
 use origami_core::measure::node_strains;
-use origami_core::solve::{Folded, Report};
+use origami_core::solve::Folded;
 use origami_core::{CreasePattern, Model};
 use serde::Serialize;
 
-use crate::message::{FrameHead, MapWish, Opened, Wishes};
-use crate::numbers::head;
+use crate::message::{Crossed, FrameHead, MapWish, Opened, Recorded, Wishes};
+use crate::numbers::{head, report};
 use crate::packet::Packet;
 use crate::sheet::{Named, described};
 
@@ -30,16 +30,31 @@ struct Head {
 /// The film of a sheet that goes through `states`, of which each is drawn where it is. The body has what the reply `opened` has,
 /// and for each state low bytes and high bytes of x, y and z of all nodes, then a byte of strain of each.
 ///
-/// `name` is the file's, `title` the one that the page shows.
+/// `name` is the file's, `title` the one that the page shows; `labels` are what states are called, where they are. States that do not
+/// go from percentage to percentage are counted by how much of the way has gone, which is 100 long.
 #[must_use]
-pub fn film(name: &str, title: Option<String>, pattern: &CreasePattern, model: &Model, states: &[Folded]) -> Packet {
+pub fn film(
+    (name, title): (&str, Option<String>),
+    pattern: &CreasePattern,
+    model: &Model,
+    states: &[Folded],
+    labels: &[String],
+) -> Packet {
     let named = Named { name: name.to_owned(), format: "film".to_owned(), title };
     let (opened, mut body) = described(&named, pattern, model, &Wishes::default(), String::new());
-    let frames = states.iter().map(|folded| {
-        let report = Report { steps: folded.steps, settled: folded.converged(), distance: folded.distance, ramp: 1.0 };
+    let percents = percents(states);
+    let frames = states.iter().zip(&percents).enumerate().map(|(number, (folded, percent))| {
         let wanted = folded.targets.of(model).unwrap_or_default();
-        let (mut head, _) = head(model, &folded.state, &wanted, report, MapWish::None);
-        head.percent = folded.percent().unwrap_or_default();
+        let (mut head, _) = head(model, &folded.state, &wanted, report(folded), MapWish::None);
+        head.percent = *percent;
+        head.crossings = Some(Crossed::of(model, &folded.state.positions));
+        head.recorded = labels.get(number).map(|label| Recorded {
+            at: f64::from(u32::try_from(number).unwrap_or(u32::MAX)),
+            states: states.len(),
+            of: states.len(),
+            label: label.clone(),
+            ended: None,
+        });
         head
     });
     let frames: Vec<FrameHead> = frames.collect();
@@ -71,6 +86,18 @@ pub fn film(name: &str, title: Option<String>, pattern: &CreasePattern, model: &
     Packet::new(&Head { opened, frames, low: low.to_array(), unit, strain }, body)
 }
 
+/// How far each state is folded: the percentages, where each is farther on than the one before it; else shares of the way.
+fn percents(states: &[Folded]) -> Vec<f64> {
+    let percents: Vec<f64> = states.iter().filter_map(Folded::percent).collect();
+    let rising = |by: f64| percents.windows(2).all(|two| by * (two[1] - two[0]) > 0.0);
+    if percents.len() == states.len() && (rising(1.0) || rising(-1.0)) {
+        return percents;
+    }
+    #[expect(clippy::cast_precision_loss, reason = "some thousands")]
+    let share = |i: usize| 100.0 * i as f64 / states.len().saturating_sub(1).max(1) as f64;
+    (0..states.len()).map(share).collect()
+}
+
 /// Number `i` of a frame, by those before it: as it went on in the last two frames, as it was in the last, or as the node
 /// before it is.
 fn expected(now: &[u16], [last, before_last]: &[Vec<u16>; 2], i: usize) -> u16 {
@@ -99,7 +126,7 @@ mod tests {
         let number = |value: &serde_json::Value| value.as_f64().expect("a number");
         let low: Vec<f64> = head["low"].as_array().expect("three").iter().map(number).collect();
         let count = 3 * model.node_count();
-        let mut at = 4 * (count + 3 * model.mesh.triangles.len() + 3 * edges);
+        let mut at = 4 * (count + 4 * model.mesh.triangles.len() + 3 * edges);
         let mut before: [Vec<u16>; 2] = [Vec::new(), Vec::new()];
         let mut states = Vec::new();
         for _ in 0..frames {
@@ -129,7 +156,7 @@ mod tests {
         let percents = [0.0, 30.0, 60.0, 90.0, 100.0];
         let states =
             fold_path(&model, &Relax::default(), &percents, &mut |_, progress| unwatched(progress)).expect("folds");
-        let packet = film("bird", None, &pattern, &model, &states);
+        let packet = film(("bird", None), &pattern, &model, &states, &[]);
         let read = read(&packet, &model, pattern.edges.len(), states.len());
         let apart = |state: &State, read: &[DVec3]| {
             state.positions.iter().zip(read).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
@@ -138,5 +165,19 @@ mod tests {
         assert!(most < 3e-5, "{most}");
         // The test can fail: other states are elsewhere.
         assert!(apart(&states[1].state, &read[2]) > 0.01);
+    }
+
+    #[test]
+    fn what_goes_back_is_counted_by_the_way() {
+        let pattern = BirdBase::default().pattern().expect("the default");
+        let model = Model::new(&pattern, &Material::default()).expect("a sheet");
+        let counted = |wanted: &[f64]| {
+            let states = fold_path(&model, &Relax::default(), wanted, &mut |_, progress| unwatched(progress));
+            percents(&states.expect("folds"))
+        };
+        assert_eq!(counted(&[0.0, 10.0, 40.0]), [0.0, 10.0, 40.0]);
+        assert_eq!(counted(&[20.0, 10.0]), [20.0, 10.0]);
+        assert_eq!(counted(&[0.0, 20.0, 10.0]), [0.0, 50.0, 100.0]);
+        assert_eq!(counted(&[10.0]), [10.0]);
     }
 }

@@ -24,14 +24,21 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod catalog;
 pub mod computer;
+mod crossed;
 mod export;
 mod film;
 pub mod message;
 mod numbers;
+mod open;
 mod packet;
 mod places;
+mod reading;
+mod recording;
+mod refused;
 mod saved;
+mod sequence;
 mod session;
 mod sheet;
 mod undo;
@@ -40,4 +47,5 @@ pub use computer::{Computer, Mover, Processor};
 pub use film::film;
 pub use message::{Reply, Request, Wishes};
 pub use packet::{Malformed, Packet};
+pub use reading::Reading;
 pub use session::Session;

@@ -84,7 +84,27 @@ pub enum Request {
         #[serde(default)]
         map: MapWish,
     },
-    /// A file of the sheet as it is now. Answered by [`Reply::File`].
+    /// Folds from the flat sheet on and keeps each state that settles, to go through them by [`Request::Show`]. Pictures tell how
+    /// far it has come ([`FrameHead::recorded`]). Whatever else moves the sheet ends it.
+    Record {
+        /// Which way it goes.
+        way: Way,
+        /// Whether paper keeps off paper ([`origami_core::solve::ContactRelax`]).
+        #[serde(default)]
+        contact: bool,
+        /// How many states are kept of each step, or of the way to a percentage; 1 000 at most. More: a smoother film.
+        parts: u32,
+    },
+    /// Shows a recorded state.
+    Show {
+        /// Its number from 0; between two of them vertices go straight.
+        at: f64,
+    },
+    /// Back from what was recorded to the sheet that moves.
+    Live,
+    /// What was recorded, as one page that can be turned and needs no program. Answered by [`Reply::File`].
+    Film,
+    /// A file of the sheet as it is now, or as the recording shows it. Answered by [`Reply::File`].
     Export {
         /// Which.
         format: ExportFormat,
@@ -93,6 +113,34 @@ pub enum Request {
     Save,
     /// Goes on from such a file, in the body. Answered by [`Reply::Opened`].
     Restore,
+}
+
+impl Request {
+    /// Whether it is about the sheet itself, so that nobody looks at a recording any more.
+    pub(crate) fn moves_the_sheet(&self) -> bool {
+        !matches!(
+            self,
+            Self::Frame { .. }
+                | Self::Catalog
+                | Self::Record { .. }
+                | Self::Show { .. }
+                | Self::Film
+                | Self::Export { .. }
+                | Self::Save
+                | Self::Mark
+                | Self::Run { .. }
+        )
+    }
+}
+
+/// Which way a recording goes.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Way {
+    /// Through the steps of the file, as `origami fold --sequence own`.
+    Steps,
+    /// To so many per cent of the pattern's angles, as `origami fold --percent`; creases with wishes of their own keep them.
+    Percent(f64),
 }
 
 /// What becomes of a crease.
@@ -219,7 +267,8 @@ pub enum Reply {
         entries: Vec<CatalogEntry>,
     },
     /// A pattern was opened; the body has, of four bytes each: x, y, z of each node at rest in radii; three nodes of each
-    /// triangle; two nodes of each edge; the fold angle of each edge in degrees, not a number where it has none.
+    /// triangle; two nodes of each edge; the fold angle of each edge in degrees, not a number where it has none; the face of each
+    /// triangle.
     Opened(Box<Opened>),
     /// What is asked of the sheet, where that has changed by other means than what the page has just asked.
     Wishes {
@@ -313,6 +362,8 @@ pub struct Opened {
     pub flat: bool,
     /// What computes.
     pub computer: String,
+    /// The steps of the sequence in the file; empty where it has none.
+    pub steps: Vec<String>,
     /// What is odd about it.
     pub warnings: Vec<Note>,
     /// What is asked of it.
@@ -361,10 +412,40 @@ pub struct FrameHead {
     pub lost_creases: usize,
     /// Triangles crushed to a line.
     pub crushed: usize,
+    /// Where paper goes through paper: of sheets that stand still, and now and then of small ones that move; else null.
+    pub crossings: Option<Crossed>,
+    /// What is shown of a recording; null where the sheet itself is seen.
+    pub recorded: Option<Recorded>,
     /// What the map shows.
     pub map: MapWish,
     /// Its largest value.
     pub map_max: f64,
     /// Why the sheet stopped where it blew up, as the command line says it.
     pub failed: Option<String>,
+}
+
+/// Where paper goes through paper.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Crossed {
+    /// Edges of triangles that go through other triangles, each with each.
+    pub count: usize,
+    /// How deep the deepest goes, in radii.
+    pub deepest: f64,
+    /// Faces that cross, the first of them in pairs.
+    pub faces: Vec<[u32; 2]>,
+}
+
+/// What is shown of a recording.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Recorded {
+    /// The number of the state that is shown, as in [`Request::Show`].
+    pub at: f64,
+    /// States that are there.
+    pub states: usize,
+    /// States that it will have.
+    pub of: usize,
+    /// What the state is called: its step, or its percentage.
+    pub label: String,
+    /// Why it ended before its end, for a person.
+    pub ended: Option<String>,
 }

@@ -2,7 +2,7 @@
 
 use origami_core::forces::beams::strains;
 use origami_core::measure::{Strain, node_strains};
-use origami_core::solve::{Report, State, crushed_triangles};
+use origami_core::solve::{Folded, Report, State, crushed_triangles};
 use origami_core::{Model, ids::NodeId};
 
 use crate::message::{FrameHead, MapWish};
@@ -41,6 +41,11 @@ pub(crate) fn head(
         ..FrameHead::default()
     };
     (head, values)
+}
+
+/// How a solver left a state.
+pub(crate) fn report(folded: &Folded) -> Report {
+    Report { steps: folded.steps, settled: folded.converged(), distance: folded.distance, ramp: 1.0 }
 }
 
 /// Values of creases brought to the two nodes of each.

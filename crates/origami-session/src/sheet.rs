@@ -1,7 +1,6 @@
 //! What was opened: the pattern as the file has it, and the model of what is asked of it.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::Arc;
 
 use origami_core::export::{Template, crease_pattern_document};
@@ -13,10 +12,11 @@ use origami_core::pattern::Assignment;
 use origami_core::scene::Targets;
 use origami_core::solve::State;
 use origami_core::{CreasePattern, Error, Material, Model};
-use origami_formats::Options;
 
 use crate::message::{Note, Opened, Own, Wishes};
 use crate::places::note;
+use crate::reading::Reading;
+use crate::sequence::Order;
 
 /// What a pattern is called.
 pub(crate) struct Named {
@@ -28,6 +28,15 @@ pub(crate) struct Named {
     pub(crate) title: Option<String>,
 }
 
+impl Named {
+    /// The file's name without its extensions.
+    pub(crate) fn stem(&self) -> &str {
+        let name = self.name.rsplit(['/', '\\']).next().unwrap_or(&self.name);
+        let name = name.strip_suffix(".gz").unwrap_or(name);
+        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+    }
+}
+
 /// A pattern and the sheet made of it.
 pub(crate) struct Sheet {
     pub(crate) named: Named,
@@ -35,16 +44,17 @@ pub(crate) struct Sheet {
     pub(crate) pattern: CreasePattern,
     /// What its exports keep of the file.
     pub(crate) template: Template,
+    /// The sequence in the file, or why it is none.
+    pub(crate) order: Result<Option<Order>, Error>,
     /// The model of the pattern with the wishes of now.
     pub(crate) model: Arc<Model>,
 }
 
 impl Sheet {
     /// The pattern in the bytes of a file.
-    pub(crate) fn read(name: &str, bytes: &[u8], material: &Material) -> Result<Self, Error> {
-        let opened = origami_formats::open(bytes, Some(Path::new(name)), &Options::default())?;
-        let packed = if opened.compressed { ", compressed by gzip" } else { "" };
-        Self::of_document(name, format!("{}{packed}", opened.format), &opened.document, material)
+    pub(crate) fn read(name: &str, bytes: &[u8], reading: &Reading, material: &Material) -> Result<Self, Error> {
+        let (document, format) = reading.document(name, bytes)?;
+        Self::of_document(name, format, &document, material)
     }
 
     /// The pattern in a document.
@@ -63,7 +73,8 @@ impl Sheet {
         });
         let model = Arc::new(Model::new(&pattern, material)?);
         let named = Named { name: name.to_owned(), format, title };
-        Ok(Self { named, pattern, template, model })
+        let order = document.frame(frame).and_then(|frame| Order::of(frame, &pattern, &model));
+        Ok(Self { named, pattern, template, order, model })
     }
 
     /// What a generator makes.
@@ -148,7 +159,16 @@ impl Sheet {
 
     /// What a page needs to know, and the numbers behind it.
     pub(crate) fn opened(&self, wishes: &Wishes, computer: String) -> (Opened, Vec<u8>) {
-        described(&self.named, &self.pattern, &self.model, wishes, computer)
+        let (mut opened, body) = described(&self.named, &self.pattern, &self.model, wishes, computer);
+        match &self.order {
+            Ok(order) => opened.steps = order.as_ref().map(Order::names).unwrap_or_default(),
+            // A pattern can be folded whatever its sequence says.
+            Err(error) => {
+                let (code, text) = (error.code().name(), format!("its steps cannot be folded: {error}"));
+                opened.warnings.push(Note { code, text, nodes: Vec::new(), edges: Vec::new() });
+            }
+        }
+        (opened, body)
     }
 }
 
@@ -184,6 +204,7 @@ pub(crate) fn described(
         #[expect(clippy::cast_possible_truncation, reason = "for a person to read")]
         body.extend((angle as f32).to_le_bytes());
     }
+    mesh.face_of_triangle.iter().for_each(|face| body.extend(face.0.to_le_bytes()));
     let opened = Opened {
         name: named.name.clone(),
         format: named.format.clone(),
@@ -195,6 +216,7 @@ pub(crate) fn described(
         letters: pattern.edges.iter().map(|edge| edge.assignment.letter()).collect(),
         flat: pattern.is_flat(),
         computer,
+        steps: Vec::new(),
         warnings,
         wishes: wishes.clone(),
     };

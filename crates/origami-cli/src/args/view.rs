@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{ADAPTER_VARIABLE, BackendName};
+use super::{ADAPTER_VARIABLE, BackendName, ReadingArgs};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -41,4 +41,7 @@ pub(crate) struct ViewArgs {
     /// The GPU adapter to use with --backend gpu: part of a name that `origami adapters` lists [default: the first]
     #[arg(long, value_name = "NAME", env = ADAPTER_VARIABLE, hide_env_values = true)]
     pub(crate) adapter: Option<String>,
+
+    #[command(flatten)]
+    pub(crate) reading: ReadingArgs,
 }

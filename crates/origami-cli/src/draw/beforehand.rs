@@ -30,7 +30,7 @@ pub(crate) fn check_drawable(
         Format::Fold | Format::Obj | Format::Stl | Format::Html => return Ok(()),
     };
     let rest = State::at_rest(model);
-    let subject = Subject { pattern, model, states: &[(0.0, &rest)] };
+    let subject = Subject { pattern, model, states: &[(0.0, &rest)], steps: &[] };
     let mut figure = Figure::new(pattern, model, &rest.positions);
     style.mapped(&mut figure, subject, &rest, style.clip(subject));
     style.picture(size).view(&figure, figure.positions.iter().copied()).map(drop)

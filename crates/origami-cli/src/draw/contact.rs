@@ -53,13 +53,15 @@ pub(super) fn contact(artist: &Artist, subject: Subject<'_>, writer: &mut dyn Wr
     }
     let clip = style.clip(subject);
     let mut figure = style.figure(subject, first, clip);
-    let captioned =
-        |percent: f64| Picture { caption: caption(&picture, &numbers::percent(percent)), ..picture.clone() };
+    let captioned = |i: usize, percent: f64| {
+        let part = subject.steps.get(i).cloned().unwrap_or_else(|| numbers::percent(percent));
+        Picture { caption: caption(&picture, &part), ..picture.clone() }
+    };
     for (i, (percent, state)) in subject.states.iter().enumerate() {
         if i > 0 {
             style.move_to(&mut figure, subject, state, clip);
         }
-        let picture = captioned(*percent);
+        let picture = captioned(i, *percent);
         let view = style.view(&picture, &figure)?;
         put(&artist.draw(&picture, &figure, &view)?);
     }
@@ -77,7 +79,7 @@ fn pattern(artist: &Artist, pattern: &CreasePattern) -> Result<Image, Error> {
 }
 
 /// What was asked for, and what the part shows.
-fn caption(picture: &Picture, part: &str) -> String {
+pub(super) fn caption(picture: &Picture, part: &str) -> String {
     if picture.caption.is_empty() { part.to_owned() } else { format!("{}, {part}", picture.caption) }
 }
 

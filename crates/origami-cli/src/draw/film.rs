@@ -94,14 +94,19 @@ impl<'a> Reel<'a> {
         if let Some((_, state)) = states.get(i) {
             self.artist.style.move_to(&mut self.figure, self.subject, state, self.clip);
         }
-        self.artist.draw(&self.picture, &self.figure, &self.view(i)?)
+        // The step of the sequence that it shows.
+        let step = self.subject.steps.get(i.min(states.len().saturating_sub(1)));
+        let caption = |step: &String| contact::caption(&self.picture, step);
+        let caption = step.map_or_else(|| self.picture.caption.clone(), caption);
+        let picture = Picture { caption, ..self.picture.clone() };
+        self.artist.draw(&picture, &self.figure, &self.view(&picture, i)?)
     }
 
-    fn view(&self, i: usize) -> Result<View, Error> {
-        let camera = self.picture.camera;
+    fn view(&self, picture: &Picture, i: usize) -> Result<View, Error> {
+        let camera = picture.camera;
         let turned = |round: u32| 360.0 * (i % round as usize) as f64 / f64::from(round);
         let azimuth = camera.azimuth + self.turntable.map_or(0.0, |round| turned(round.max(1)));
-        let picture = Picture { camera: Camera { azimuth, ..camera }, ..self.picture.clone() };
+        let picture = Picture { camera: Camera { azimuth, ..camera }, ..picture.clone() };
         picture.view(&self.figure, self.points.iter().copied())
     }
 }

@@ -35,7 +35,14 @@ pub(crate) use {
 };
 
 use origami::glam::DVec3;
+use origami::layers::FaceOrder;
 use origami::{CreasePattern, Model, State};
+use serde_json::{Value, json};
+
+/// Orders of faces as FOLD has them.
+pub(crate) fn listed(orders: &[FaceOrder]) -> Value {
+    orders.iter().map(|order| json!([order.faces[0].0, order.faces[1].0, order.side])).collect()
+}
 
 /// A folded sheet and the states that it went through.
 #[derive(Clone, Copy)]
@@ -45,6 +52,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) model: &'a Model,
     /// With the percentage of each; at least one.
     pub(crate) states: &'a [(f64, &'a State)],
+    /// Of a sequence the step that each of them shows; else empty.
+    pub(crate) steps: &'a [String],
 }
 
 /// What is marked on a crease pattern.

@@ -5,7 +5,7 @@ use std::io::Write;
 use origami::solve::Folded;
 use origami::{CreasePattern, Error, Model};
 
-/// Writes the page of the states of a sheet that is called `name`.
+/// Writes the page of the states of a sheet that is called `name`, with the steps of a sequence that they show.
 ///
 /// # Errors
 /// [`Error::Io`] where the system refuses.
@@ -14,10 +14,10 @@ pub(super) fn write(
     name: &str,
     pattern: &CreasePattern,
     model: &Model,
-    states: &[Folded],
+    (states, steps): (&[Folded], &[String]),
     writer: &mut dyn Write,
 ) -> Result<(), Error> {
-    let film = origami::session::film(name, None, pattern, model, states);
+    let film = origami::session::film((name, None), pattern, model, states, steps);
     let unwritable = |source| Error::Io { path: "-".to_owned(), source };
     let page = origami_page::film(&film.to_bytes(), name).map_err(unwritable)?;
     writer.write_all(page.as_bytes()).map_err(unwritable)
@@ -32,7 +32,7 @@ pub(super) fn write(
     _name: &str,
     _pattern: &CreasePattern,
     _model: &Model,
-    _states: &[Folded],
+    _states: (&[Folded], &[String]),
     _writer: &mut dyn Write,
 ) -> Result<(), Error> {
     Err(Error::invalid("HTML", ABSENT, EXPECTED))

@@ -38,6 +38,12 @@ impl Reading {
         Ok(Self { options, join: args.join })
     }
 
+    /// The same for the files that a page opens.
+    #[cfg(feature = "view")]
+    pub(crate) fn of_a_page(&self) -> origami::session::Reading {
+        origami::session::Reading { options: self.options.clone(), join: self.join }
+    }
+
     /// The document in `bytes`; `name` is the file's, where it has one.
     pub(super) fn document(&self, bytes: &[u8], name: Option<&Path>) -> Result<Opened, Error> {
         let mut opened = origami::formats::open(bytes, name, &self.options)?;

@@ -3,10 +3,11 @@
 use std::fs;
 
 use origami::error::WarningCode;
-use origami::export::{Pose, Template, write_obj, write_stl, write_whole};
+use origami::export::{Pose, Template, plates, write_obj, write_stl, write_whole};
 use origami::fold::Document;
 use origami::glam::DVec3;
 use origami::ids::TriangleId;
+use origami::layers::FaceOrder;
 use origami::model::Model;
 use origami::solve::{Folded, State, Stop};
 use origami::{CreasePattern, Error, Warning};
@@ -41,10 +42,14 @@ pub(crate) struct Sheet<'a> {
     pub(crate) states: &'a [Folded],
     /// Of a sequence the step of each; else empty.
     pub(crate) steps: &'a [String],
+    /// Which face lies on which in the last state, where that is known and its positions do not tell it.
+    pub(crate) orders: Option<&'a [FaceOrder]>,
     /// Whether all of them go into files that can hold more than one.
     pub(crate) animated: bool,
     /// What draws it.
     pub(crate) artist: &'a Artist,
+    /// How thick the paper is, in the file's unit, where it is.
+    pub(crate) thickness: Option<f64>,
     /// Pictures in a second, where that was asked for.
     pub(crate) fps: Option<u16>,
 }
@@ -62,6 +67,14 @@ impl Sheet<'_> {
     }
 }
 
+impl<'a> Sheet<'a> {
+    /// The steps of those states.
+    pub(crate) fn steps_of(&self, format: Format) -> &'a [String] {
+        let shown = self.states_of(format).len();
+        &self.steps[self.steps.len().saturating_sub(shown)..]
+    }
+}
+
 /// Writes one file, whole or not at all; tells what is not in it as it was asked for.
 ///
 /// # Errors
@@ -70,7 +83,8 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<Option<Warning
     let mut warning = None;
     make_folder(target)?;
     let states = sheet.states_of(target.format);
-    let subject = Subject { pattern: sheet.pattern, model: sheet.model, states: &states };
+    let subject =
+        Subject { pattern: sheet.pattern, model: sheet.model, states: &states, steps: sheet.steps_of(target.format) };
     match target.format {
         Format::Png | Format::Glb | Format::Contact => {
             whole(&target.destination, |writer| draw::sheet(target.format, sheet.artist, subject, sheet.fps, writer))
@@ -81,9 +95,10 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<Option<Warning
         // Written by whoever shows how far it has come.
         Format::Film => Ok(()),
         Format::Html => whole(&target.destination, |writer| {
-            let states =
-                if sheet.animated { sheet.states } else { sheet.states.last().map_or(&[][..], std::slice::from_ref) };
-            page::write(sheet.name, sheet.pattern, sheet.model, states, writer)
+            // One that does not move has its last state alone.
+            let only = if sheet.animated { 0 } else { sheet.states.len().saturating_sub(1) };
+            let shown = (&sheet.states[only..], sheet.steps.get(only..).unwrap_or_default());
+            page::write(sheet.name, sheet.pattern, sheet.model, shown, writer)
         }),
         Format::Fold => write_document(&target.destination, &sheet.fold()?),
         Format::Obj => {
@@ -96,7 +111,10 @@ pub(crate) fn write(target: &Target, sheet: &Sheet<'_>) -> Result<Option<Warning
             let points: Vec<_> = last.state.positions.iter().map(|p| sheet.model.normalisation.to_file(*p)).collect();
             let mesh = &sheet.model.mesh;
             let corners = |t: &TriangleId| mesh.triangles[t.index()].map(|n| n.0);
-            let triangles: Vec<[u32; 3]> = mesh.triangles_by_face.iter().map(corners).collect();
+            let (points, triangles) = match sheet.thickness {
+                Some(thickness) => plates(sheet.model, &points, thickness),
+                None => (points, mesh.triangles_by_face.iter().map(corners).collect()),
+            };
             whole(&target.destination, |writer| {
                 warning = write_stl(writer, &points, &triangles)?.map(|by| moved(-by));
                 Ok(())
@@ -188,7 +206,9 @@ impl Sheet<'_> {
         }
         // That of the input was of another state.
         extra.shift_remove(FACE_ORDERS);
-        if let Some(orders) = draw::orders(self.model, &folded.state) {
+        let is_last = self.states.last().is_some_and(|last| std::ptr::eq(last, folded));
+        let known = self.orders.filter(|_| is_last).map(draw::listed);
+        if let Some(orders) = known.or_else(|| draw::orders(self.model, &folded.state)) {
             extra.insert(FACE_ORDERS.into(), orders);
         }
     }

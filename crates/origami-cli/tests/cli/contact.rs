@@ -121,3 +121,24 @@ fn a_letter_is_blocked_at_once_and_closes_in_order() {
     place.run("fold letter.fold --contact --solver newton -o d.fold").fails(1, "--solver newton: it has no --contact");
     place.run("fold letter.fold --contact --precision mixed -o d.fold").fails(1, "--precision mixed");
 }
+
+/// A film of a sequence has its steps; thick paper is a plate for each face, and its order is told though it is not thin.
+#[cfg(feature = "render")]
+#[test]
+fn pictures_and_files_show_what_contact_has_laid() {
+    let place = Place::new();
+    place.put("letter.fold", include_str!("../../../../examples/sequences/letter-fold.fold"));
+    let bytes = |name: &str| std::fs::read(place.path(name)).unwrap();
+    place
+        .run("fold letter.fold --sequence own --thickness 0.02 -o a.fold -o a.stl --animate f-.png --sheet s.png --size 64x64 --quiet")
+        .succeeds();
+    assert!(bytes("f-001.png").starts_with(b"\x89PNG"), "the second step is the last picture");
+    assert!(bytes("f-000.png") != bytes("f-001.png") && !place.has("f-002.png"));
+    // Three plates of two triangles on either side and eight around.
+    let stl = bytes("a.stl");
+    assert_eq!(u32::from_le_bytes([stl[80], stl[81], stl[82], stl[83]]), 3 * 12);
+    let folded = place.json("a.fold");
+    let orders = folded["file_frames"][1]["faceOrders"].as_array().unwrap();
+    assert_eq!(orders.len(), 3, "each two of three layers: {orders:?}");
+    assert_eq!(folded["file_frames"][0]["faceOrders"], Value::Null, "one third stands up or lies beside");
+}

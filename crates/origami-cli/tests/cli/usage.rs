@@ -36,7 +36,7 @@ fn bad_usage_is_1_and_names_what_is_wrong() {
         ("fold square.fold -o a.png --strain --map energy", "cannot be used with"),
         ("fold square.fold -o a.png --map heat", "strain, face-strain, angle-error or energy"),
         ("fold square.fold -o a.png --turntable 3", "--animate"),
-        ("fold square.fold --animate a.gif", "nothing moves; expected --frames N, --turntable N or both"),
+        ("fold square.fold --animate a.gif", "nothing moves; expected --frames N, --turntable N, both or --sequence"),
         ("render square.fold", "--output"),
         ("render square.fold -o a.obj", "a.obj: expected a path ending in .png, .svg or .glb"),
         ("fold square.fold -o away/a.fold", "away/a.fold: there is no folder away"),

@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 /// The curvature of a pair is bounded by that at this share of its gap.
-pub(super) const NEARER: f64 = 0.7;
+pub const NEARER: f64 = 0.7;
 
 /// The energy of a gap, or one of its derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

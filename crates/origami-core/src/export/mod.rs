@@ -1,12 +1,14 @@
 //! Files from folded sheets: FOLD, Wavefront OBJ, STL; written whole or not at all.
 //!
 //! FOLD and OBJ keep the vertices, edges and faces of the input, in its numbering and its unit of length; what the
-//! pattern added (crossings, lips of cuts) follows behind. STL holds the triangles that were simulated.
+//! pattern added (crossings, lips of cuts) follows behind. STL holds the triangles that were simulated, or plates of a
+//! thickness.
 
 #[cfg(feature = "files")]
 mod atomic;
 mod folded;
 mod obj;
+mod plates;
 mod sheet;
 mod stl;
 mod template;
@@ -16,6 +18,7 @@ mod texture;
 pub use atomic::{check_writable, remove_unfinished, write_whole};
 pub use folded::{Pose, animation, crease_pattern_document, folded_form};
 pub use obj::write_obj;
+pub use plates::plates;
 pub use stl::write_stl;
 pub use template::Template;
 pub use texture::texture_coordinates;

@@ -1,5 +1,6 @@
 //! A folding sequence, stage after stage.
 
+use std::borrow::Borrow;
 use std::ops::ControlFlow;
 
 use super::relax::ramp_between;
@@ -69,10 +70,10 @@ pub fn fold_sequence(
     Ok(run.states)
 }
 
-/// A sequence on its way: the state after the stages so far.
-#[derive(Debug)]
-pub struct Steps<'a> {
-    model: &'a Model,
+/// A sequence on its way: the state after the stages so far, of a model that is borrowed or shared.
+#[derive(Clone, Debug)]
+pub struct Steps<M> {
+    model: M,
     relax: Relax,
     contact: Option<Contact>,
     state: State,
@@ -80,11 +81,11 @@ pub struct Steps<'a> {
     states: Vec<Reached>,
 }
 
-impl<'a> Steps<'a> {
+impl<M: Borrow<Model>> Steps<M> {
     /// Nothing folded yet.
     #[must_use]
-    pub fn new(model: &'a Model, relax: &Relax, start: &State) -> Self {
-        let stiffness = Stiffness::of(model);
+    pub fn new(model: M, relax: &Relax, start: &State) -> Self {
+        let stiffness = Stiffness::of(model.borrow());
         Self { model, relax: relax.clone(), contact: None, state: start.clone(), stiffness, states: Vec::new() }
     }
 
@@ -116,7 +117,7 @@ impl<'a> Steps<'a> {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<(), Failed> {
         stage.begin(&mut self.stiffness, &mut self.state.targets, &self.state.fold_angles);
-        let own = self.stiffness.model(self.model);
+        let own = self.stiffness.model(self.model.borrow());
         let before = self.state.targets.clone();
         let mut from = 0.0;
         for share in stage.shares(frames) {
@@ -144,7 +145,7 @@ impl<'a> Steps<'a> {
         targets: Vec<f64>,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<(Folded, Option<Touch>), Failed> {
-        let model = own.unwrap_or(self.model);
+        let model = own.unwrap_or_else(|| self.model.borrow());
         let mut relax = self.relax.clone();
         if relax.ramp.is_some() || stage.duration != 1.0 {
             let by_itself = || f64::from(ramp_between(model, self.state.targets.iter().copied(), &targets));

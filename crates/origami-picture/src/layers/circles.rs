@@ -1,10 +1,12 @@
 //! Triangles that lie upon each other in a circle.
 
-use super::order::Order;
-use super::pairs::Pairs;
+use origami_core::layers::order::Order;
+use origami_core::layers::pairs::Pairs;
+
+use super::LAYER;
 
 /// Pairs that lie upon each other in a circle, the lower one first; but none of a stack in which paper has gone through
-/// paper, where pairs contradict what depth shows.
+/// paper, where pairs contradict what depth shows, and none that is seen as it lies.
 pub(super) fn circles(pairs: &Pairs, order: &Order, circling: &[bool]) -> Vec<[u32; 2]> {
     let in_circle = |pair: &usize| pairs.triangles[*pair].iter().all(|t| circling[*t as usize]);
     let stack = |pair: usize| pairs.stacks[pairs.triangles[pair][0] as usize];
@@ -16,7 +18,11 @@ pub(super) fn circles(pairs: &Pairs, order: &Order, circling: &[bool]) -> Vec<[u
         let [i, j] = pairs.triangles[pair];
         if order.above(pair) { [i, j] } else { [j, i] }
     };
-    (0..pairs.triangles.len()).filter(in_circle).filter(|pair| !tangled[stack(*pair)]).map(upwards).collect()
+    (0..pairs.triangles.len())
+        .filter(in_circle)
+        .filter(|pair| !tangled[stack(*pair)] && !pairs.is_apart(*pair, LAYER))
+        .map(upwards)
+        .collect()
 }
 
 /// Triangles that are left when those are taken away, again and again, under which or over which nothing lies: those that

@@ -5,24 +5,29 @@
 //! taco and tortilla conditions of J. Justin, 1994, as E. Demaine and J. O'Rourke, Geometric Folding Algorithms, 2007,
 //! chapter 12, name them). What they leave open the positions decide.
 //!
+//! A state in which nothing crosses by the exact test ([`origami_core::contact`]) has layers of its own, as one that was folded
+//! under contact: there heights tell the order, and what lies apart is shown as it lies.
+//!
 //! Depth buffers are all that renderers need to know: layers are moved apart in depth, by as little as rounding allows, and
 //! what hangs on a stack moves with it. So no layer comes before paper that lies in front of its stack.
 
 mod circles;
-mod conditions;
-mod face_orders;
-mod order;
-mod overlap;
-mod pairs;
 mod spread;
 
-use origami_core::Model;
 use origami_core::glam::DVec3;
+pub use origami_core::layers::FaceOrder;
+use origami_core::layers::conditions;
+use origami_core::layers::order::Order;
+pub use origami_core::layers::pairs::NEAR;
+use origami_core::layers::pairs::{FAR, Pairs};
+use origami_core::{Model, State};
 
-pub use face_orders::{FaceOrder, face_orders};
-use order::Order;
-pub use pairs::NEAR;
-use pairs::Pairs;
+/// The order of all pairs of faces that lie upon each other in a state ([`origami_core::layers::face_orders`]). `None` where the
+/// sheet is not folded flat, or has too many layers to tell.
+#[must_use]
+pub fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
+    origami_core::layers::face_orders(model, &state.positions, &state.fold_angles)
+}
 
 /// How a triangle is moved in depth, and nowhere else, so that it is seen to lie where it belongs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -55,7 +60,7 @@ pub fn stack(model: &Model, positions: &[DVec3], angles: &[f64]) -> Stack {
     if positions.len() != model.node_count() || positions.iter().any(|p| !p.is_finite()) {
         return Stack::default();
     }
-    let Some(pairs) = Pairs::find(model, positions) else { return Stack::default() };
+    let Some(pairs) = Pairs::find(model, positions, angles, FAR) else { return Stack::default() };
     let mut order = Order::new(&pairs);
     conditions::add(model, positions, angles, &pairs, &mut order);
     order.decide();
@@ -75,7 +80,9 @@ pub fn stack(model: &Model, positions: &[DVec3], angles: &[f64]) -> Stack {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use origami_core::contact::Contact;
     use origami_core::generate::{BirdBase, SingleCrease, SquareTwist};
+    use origami_core::solve::ContactRelax;
     use origami_core::{CreasePattern, Material, Relax, Solver};
 
     fn folded(pattern: &CreasePattern, percent: f64) -> (Model, Vec<DVec3>) {
@@ -122,11 +129,11 @@ mod tests {
     fn layers_of_a_flat_base_are_all_apart() {
         let pattern = BirdBase::default().pattern().unwrap();
         let (model, positions) = folded(&pattern, 100.0);
-        let pairs = Pairs::find(&model, &positions).unwrap();
+        let pairs = Pairs::find(&model, &positions, &[], FAR).unwrap();
         let stack = stack(&model, &positions, &[]);
         assert!(pairs.triangles.len() > 20 && stack.circles.is_empty());
         for (pair, contacts) in pairs.contacts.iter().enumerate() {
-            let gap = |contact: &pairs::Contact| {
+            let gap = |contact: &origami_core::layers::pairs::Contact| {
                 let at = |k: usize| {
                     let heights = stack.layers[pairs.triangles[pair][k] as usize].heights;
                     (0..3).map(|c| contact.weights[k][c] * f64::from(heights[c])).sum::<f64>()
@@ -137,6 +144,23 @@ mod tests {
             let apart = |sign: f64| gaps.iter().all(|gap| sign * gap > 0.8 * LAYER);
             assert!(apart(1.0) || apart(-1.0), "{:?}: {gaps:?}", pairs.triangles[pair]);
         }
+    }
+
+    /// A state that contact has folded has its layers where they are seen: none is moved, and no circle is told apart.
+    #[test]
+    fn layers_that_lie_apart_are_shown_as_they_lie() {
+        let pattern = SquareTwist::default().pattern().unwrap();
+        let model = Model::new(&pattern, &Material::default()).unwrap();
+        let contact = Contact { gap: 3e-3, ..Contact::default() };
+        let state = ContactRelax { contact, ..ContactRelax::default() }.fold_from_rest(&model, 100.0).unwrap().state;
+        let own = stack(&model, &state.positions, &state.fold_angles);
+        let most =
+            |stack: &Stack| stack.layers.iter().flat_map(|layer| layer.heights).fold(0.0_f32, |a, b| a.max(b.abs()));
+        assert!(!own.layers.is_empty() && own.circles.is_empty());
+        assert_eq!(most(&own), 0.0);
+        // Without its angles nobody knows that it has not gone through itself.
+        let unknown = stack(&model, &state.positions, &[]);
+        assert!(!unknown.circles.is_empty() && most(&unknown) > 0.0);
     }
 
     /// The four pleats of a square twist hold each other down like the flaps of a box.

@@ -2,17 +2,18 @@
 
 use origami_core::Model;
 use origami_core::glam::DVec3;
+use origami_core::layers::order::Order;
+use origami_core::layers::pairs::{Contact, PARALLEL, Pairs, ROUNDING};
 
 use super::LAYER;
-use super::order::Order;
-use super::pairs::{Contact, PARALLEL, Pairs};
 
 /// Heights of all triangles' corners with which each pair is a [`LAYER`] apart wherever they overlap.
 ///
 /// One number a triangle would not do: the pleats of a twist lie upon each other in a circle, like the flaps of a box. So
 /// triangles may tilt, and are pushed apart contact by contact until all have room. Where stiff triangles cannot go around
 /// a circle, at least all above it and below it come to lie where they belong. Where the sheet goes on flat over a side,
-/// its triangles stay together there: else the line of a layer below would come out at their seam.
+/// its triangles stay together there: else the line of a layer below would come out at their seam. Pairs that a state has
+/// apart by itself keep their heights.
 pub(super) fn spread(model: &Model, pairs: &Pairs, order: &Order, circling: &[bool]) -> Vec<[f64; 3]> {
     const SWEEPS: usize = 300;
     let seams = seams(model, pairs, circling);
@@ -25,10 +26,11 @@ pub(super) fn spread(model: &Model, pairs: &Pairs, order: &Order, circling: &[bo
                 continue;
             }
             let sign = if order.above(pair) { 1.0 } else { -1.0 };
+            let least = least(pairs, pair);
             for Contact { weights: [first, second], height } in contacts {
                 let at = |t: usize, weights: &[f64; 3]| (0..3).map(|k| weights[k] * heights[seams[t][k]]).sum::<f64>();
-                let lacking = LAYER - sign * (height + at(j, second) - at(i, first));
-                if lacking <= 0.0 {
+                let lacking = least - sign * (height + at(j, second) - at(i, first));
+                if lacking <= ROUNDING {
                     continue;
                 }
                 worst = worst.max(lacking);
@@ -44,6 +46,11 @@ pub(super) fn spread(model: &Model, pairs: &Pairs, order: &Order, circling: &[bo
         }
     }
     seams.iter().map(|corners| corners.map(|place| heights[place])).collect()
+}
+
+/// How far apart a pair is to be, in radii.
+fn least(pairs: &Pairs, pair: usize) -> f64 {
+    if pairs.is_apart(pair, LAYER) { 0.0 } else { LAYER }
 }
 
 /// To begin with: layers counted from the bottom of each stack, its middle at 0.
@@ -66,7 +73,7 @@ fn counted(pairs: &Pairs, order: &Order, circling: &[bool], seams: &[[usize; 3]]
                 continue;
             }
             let gap = pairs.contacts[pair].iter().map(|contact| contact.height.abs()).fold(f64::INFINITY, f64::min);
-            levels[top] = levels[top].max(levels[low] + (LAYER - gap).max(0.0));
+            levels[top] = levels[top].max(levels[low] + (least(pairs, pair) - gap).max(0.0));
             under[top] -= 1;
             if under[top] == 0 {
                 free.push(top);

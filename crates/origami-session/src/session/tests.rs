@@ -3,9 +3,10 @@
 use super::*;
 use crate::Processor;
 use crate::message::MapWish as Map;
-use crate::message::{ExportFormat, SolverName, SolverWish};
+use crate::message::{ExportFormat, Own, SolverName, SolverWish, Way};
 use origami_core::fold::Document;
-use origami_core::generate::catalog::generate;
+use origami_core::generate::catalog::{self, generate};
+use origami_core::glam::DVec3;
 use origami_core::{CreasePattern, Material, Model, Relax, Solver};
 use serde_json::Value;
 
@@ -236,4 +237,141 @@ fn every_generator_opens_and_is_exported() {
         let document = Document::from_slice(&fold[0].body).expect("FOLD");
         CreasePattern::from_document(&document, 0).expect("a pattern");
     }
+}
+
+const LETTER: &[u8] = include_bytes!("../../../../examples/sequences/letter-fold.fold");
+
+fn opened(bytes: &[u8]) -> (Session, Value) {
+    let mut session = Session::new(Box::new(Processor));
+    let answer = session.answer(Request::Open { name: "letter.fold".into() }, bytes);
+    let told = head(&answer[0]);
+    (session, told)
+}
+
+/// Folds all that is recorded; the last picture's head and numbers.
+fn recorded(session: &mut Session, way: Way, contact: bool, parts: u32) -> (Value, Vec<f32>) {
+    let answer = session.answer(Request::Record { way, contact, parts }, &[]);
+    assert!(answer.is_empty(), "{}", answer[0].head);
+    let (head, numbers, _) = settle(session);
+    (head, numbers)
+}
+
+fn places(numbers: &[f32]) -> Vec<DVec3> {
+    numbers.chunks_exact(4).map(|n| DVec3::new(f64::from(n[0]), f64::from(n[1]), f64::from(n[2]))).collect()
+}
+
+/// The largest distance between nodes of two states, where they are.
+fn apart(one: &[DVec3], other: &[DVec3]) -> f64 {
+    one.iter().zip(other).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
+}
+
+#[test]
+fn steps_of_a_file_are_those_of_the_library() {
+    let (mut session, told) = opened(LETTER);
+    assert_eq!(told["steps"], serde_json::json!(["left third over", "right third over it"]), "{told}");
+    let (head, numbers) = recorded(&mut session, Way::Steps, false, 4);
+    assert_eq!((&head["recorded"]["states"], &head["recorded"]["of"]), (&9.into(), &9.into()), "{head}");
+    assert_eq!(head["recorded"]["label"], "right third over it");
+
+    let document = Document::from_slice(LETTER).expect("FOLD");
+    let pattern = CreasePattern::from_document(&document, 0).expect("a pattern");
+    let model = Model::new(&pattern, &Material::default()).expect("a sheet");
+    let frame = document.frame(0).expect("the first");
+    let sequence = origami_core::sequence::Sequence::in_frame(&frame).expect("right").expect("one");
+    let stages = sequence.stages(&frame, &pattern, &model).expect("right");
+    let rest = origami_core::State::at_rest(&model);
+    let relax = Relax::default();
+    let states = origami_core::solve::fold_sequence(&model, (&relax, None), &rest, (&stages, 4), &mut |_, _| {
+        std::ops::ControlFlow::Continue(())
+    });
+    let states = states.expect("folds");
+    let end = &states.last().expect("the end").folded.state.positions;
+    assert!(apart(&places(&numbers), end) < 1e-6);
+
+    // Between two states vertices go straight; the test can fail, as the states are elsewhere.
+    session.answer(Request::Show { at: 4.5 }, &[]);
+    session.answer(Request::Frame { map: Map::Strain }, &[]);
+    let frame = session.take_frame().expect("another state");
+    let numbers: Vec<f32> = frame.body.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+    let [a, b] = [3, 4].map(|i| &states[i].folded.state.positions);
+    let middle: Vec<DVec3> = a.iter().zip(b).map(|(a, b)| a.midpoint(*b)).collect();
+    assert!(apart(&places(&numbers), &middle) < 1e-6 && apart(a, &middle) > 0.01);
+
+    let film = session.answer(Request::Film, &[]);
+    let told = self::head(&film[0]);
+    assert_eq!((&told["is"], &told["name"]), (&"file".into(), &"letter.html".into()));
+    let page = std::str::from_utf8(&film[0].body).expect("text");
+    assert!(page.contains("data-engine=\"film\"") && page.ends_with("</html>\n"), "{}", page.len());
+    let saved = session.answer(Request::Export { format: ExportFormat::Fold }, &[]);
+    let text = String::from_utf8(saved[0].body.clone()).expect("text");
+    assert!(text.contains("\"origami:step\": \"right third over it\""), "{text}");
+
+    session.answer(Request::Fold { percent: 0.0 }, &[]);
+    assert!(settle(&mut session).0["recorded"].is_null(), "a hand on the sheet ends it");
+    assert!(!error(&session.answer(Request::Show { at: 1.0 }, &[])).is_empty());
+}
+
+#[test]
+fn a_way_to_a_percentage_ends_where_the_command_line_does() {
+    let mut session = session("miura");
+    session.answer(Request::Fold { percent: 60.0 }, &[]);
+    let (head, numbers) = recorded(&mut session, Way::Percent(60.0), false, 6);
+    assert_eq!((&head["percent"], &head["recorded"]["label"]), (&60.0.into(), &"60 %".into()), "{head}");
+    let model = Model::new(&generate("miura", &[]).expect("the default"), &Material::default()).expect("a sheet");
+    let percents = [10.0, 20.0, 30.0, 40.0, 50.0, 60.0];
+    let states = origami_core::solve::fold_path(&model, &Relax::default(), &percents, &mut |_, _| {
+        std::ops::ControlFlow::Continue(())
+    });
+    let states = states.expect("folds");
+    assert!(apart(&places(&numbers), &states[5].state.positions) < 1e-4);
+    assert!(apart(&places(&numbers), &states[4].state.positions) > 0.01);
+    for parts in [0, 1001] {
+        let request = Request::Record { way: Way::Percent(60.0), contact: false, parts };
+        assert!(error(&session.answer(request, &[])).contains("parts"), "{parts}");
+    }
+    assert!(error(&session.answer(Request::Show { at: f64::NAN }, &[])).contains("number"));
+}
+
+#[test]
+fn what_contact_holds_up_says_so_and_does_not_cross() {
+    let (mut session, _) = opened(LETTER);
+    // Both flaps at once lie on each other.
+    let (head, _) = recorded(&mut session, Way::Percent(100.0), true, 5);
+    let ended = head["recorded"]["ended"].as_str().unwrap_or_default();
+    assert!(ended.contains("press on each other") && ended.contains("edge"), "{head}");
+    assert_eq!(head["crossings"]["count"], 0, "{head}");
+    // One after the other they close.
+    let (head, _) = recorded(&mut session, Way::Steps, true, 1);
+    assert!(head["recorded"]["ended"].is_null() && head["crossings"]["count"] == 0, "{head}");
+    assert!(head["angle_error_max"].as_f64().is_some_and(|error| error < 3.0), "{head}");
+}
+
+#[test]
+fn crossings_are_those_of_the_exact_test() {
+    let mut session = session("crane");
+    session.answer(Request::Fold { percent: 60.0 }, &[]);
+    let (head, numbers, _) = settle(&mut session);
+    let model = Model::new(&generate("crane", &[]).expect("the default"), &Material::default()).expect("a sheet");
+    let exact = origami_core::contact::Crossings::of(&model.mesh, &places(&numbers));
+    let told = head["crossings"]["count"].as_u64().expect("it has settled");
+    // Pictures have 32 bits: what barely touches may differ.
+    assert!(told > 0 && told.abs_diff(exact.all.len() as u64) <= 2, "{told} {}", exact.all.len());
+    let pairs: Vec<[u32; 2]> = serde_json::from_value(head["crossings"]["faces"].clone()).expect("pairs");
+    let faces = generate("crane", &[]).expect("the default").faces.len();
+    assert!(!pairs.is_empty() && pairs.iter().flatten().all(|face| (*face as usize) < faces), "{pairs:?}");
+    // Half-open it goes through nothing.
+    session.answer(Request::Reset, &[]);
+    assert_eq!(settle(&mut session).0["crossings"]["count"], 0);
+}
+
+#[test]
+fn a_sequence_that_is_wrong_is_warned_of_and_the_pattern_opens() {
+    let wrong = String::from_utf8(LETTER.to_vec()).expect("text").replace("[8]", "[0]");
+    let (mut session, told) = opened(wrong.as_bytes());
+    assert_eq!((&told["is"], &told["steps"]), (&"opened".into(), &serde_json::json!([])));
+    let texts: Vec<&str> =
+        told["warnings"].as_array().expect("a list").iter().filter_map(|w| w["text"].as_str()).collect();
+    assert!(texts.iter().any(|text| text.contains("left third over") && text.contains("edge 0")), "{texts:?}");
+    let request = Request::Record { way: Way::Steps, contact: false, parts: 1 };
+    assert!(error(&session.answer(request, &[])).contains("origami:sequence"));
 }

@@ -194,7 +194,7 @@ impl Subject {
     pub(super) fn write_film(&self, path: &Path, states: &[Configuration]) -> Result<usize, Failure> {
         let states: Vec<State> = states.iter().map(|at| self.setup.state(&self.model, at)).collect();
         let states: Vec<(f64, &State)> = states.iter().map(|state| (100.0, state)).collect();
-        let subject = draw::Subject { pattern: &self.pattern, model: &self.model, states: &states };
+        let subject = draw::Subject { pattern: &self.pattern, model: &self.model, states: &states, steps: &[] };
         Ok(draw::film(&Artist::default(), subject, Film::default(), path, &mut |_, _| ())?.len())
     }
 

@@ -69,7 +69,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     }
     let state = lying.state(args.picture.quantity()).map_err(told)?;
     let states = [(0.0, &state)];
-    let subject = Subject { pattern: &lying.pattern, model: &lying.model, states: &states };
+    let subject = Subject { pattern: &lying.pattern, model: &lying.model, states: &states, steps: &[] };
     let artist = Artist::new(style, (args.backend == BackendName::Gpu).then_some(&backend));
     let faults = if args.no_marks { Faults::None } else { Faults::Found };
     for (destination, format) in &outputs {

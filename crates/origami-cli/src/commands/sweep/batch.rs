@@ -257,12 +257,14 @@ impl Work<'_> {
         let sheet = Sheet {
             name: "sheet",
             steps: &[],
+            orders: None,
             template: self.template,
             pattern: self.pattern,
             model,
             states: &[folded],
             animated: false,
             artist: &artist,
+            thickness: None,
             fps: None,
         };
         let write = |format: &files::Format| {

@@ -20,13 +20,14 @@ use crate::files::{Input, Reading};
 /// # Errors
 /// That the pattern is wrong, the backend not there, or the port taken.
 pub(in crate::commands) fn run(args: &ViewArgs) -> Result<Exit, Failure> {
-    let first = args.file.as_deref().map(first).transpose()?;
+    let reading = Reading::new(&args.reading)?;
+    let first = args.file.as_deref().map(|path| first(path, &reading)).transpose()?;
     let computer = Chosen::new(args.backend, args.adapter.as_deref())?;
     // Nobody but this machine is listened to.
     let at = |error| format!("--port {}: {error}; expected one that is free, or 0", args.port);
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(at)?;
     let port = listener.local_addr().map_err(at)?.port();
-    let server = Server { secret: secret()?, first, computer };
+    let server = Server { secret: secret()?, first, reading: reading.of_a_page(), computer };
     let address = format!("http://127.0.0.1:{port}/{}/", server.secret);
     console::print_text(&format!("{address}\nCtrl-C ends it.\n"))?;
     if !args.no_open {
@@ -37,8 +38,8 @@ pub(in crate::commands) fn run(args: &ViewArgs) -> Result<Exit, Failure> {
 }
 
 /// The file that the page opens at once. What is wrong with it is told here rather than there.
-fn first(path: &Path) -> Result<First, Failure> {
-    let input = Input::new(path, &Reading::default());
+fn first(path: &Path, reading: &Reading) -> Result<First, Failure> {
+    let input = Input::new(path, reading);
     let told = |error| input.describe(&error);
     let (bytes, opened) = input.bytes().map_err(told)?;
     let frame = opened.document.pattern_frame().map_err(told)?;

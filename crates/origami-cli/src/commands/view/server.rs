@@ -7,6 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
+use origami::session::Reading;
+
 use super::computer::Chosen;
 use super::http::{Head, answer};
 use super::secret::same;
@@ -24,6 +26,8 @@ pub(super) struct Server {
     pub(super) secret: String,
     /// What each page opens first.
     pub(super) first: Option<First>,
+    /// How pages read files.
+    pub(super) reading: Reading,
     pub(super) computer: Chosen,
 }
 
@@ -102,7 +106,7 @@ impl Server {
                 consume(&mut stream, bytes.len())?;
                 return refuse(&mut stream, "403 Forbidden", "A page from elsewhere may not fold.\n");
             }
-            return socket::run(stream, &self.computer);
+            return socket::run(stream, &self.computer, &self.reading);
         }
         consume(&mut stream, bytes.len())?;
         if head.method != "GET" {
@@ -138,7 +142,10 @@ fn peeked(stream: &TcpStream) -> io::Result<Vec<u8>> {
     let mut bytes = vec![0; 16 << 10];
     let mut before = 0;
     for _ in 0..200 {
-        let length = stream.peek(&mut bytes)?;
+        let length = match stream.peek(&mut bytes) {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            length => length?,
+        };
         if let Some(end) = bytes[..length].windows(4).position(|four| four == b"\r\n\r\n") {
             bytes.truncate(end + 4);
             return Ok(bytes);

@@ -4,7 +4,7 @@ use std::io;
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
-use origami::session::{Packet, Request, Session};
+use origami::session::{Packet, Reading, Request, Session};
 use tungstenite::protocol::WebSocketConfig;
 use tungstenite::{Error, Message, WebSocket};
 
@@ -26,11 +26,11 @@ const SILENCE: Duration = Duration::from_secs(30);
 ///
 /// # Errors
 /// What the system says.
-pub(super) fn run(stream: TcpStream, computer: &Chosen) -> io::Result<()> {
+pub(super) fn run(stream: TcpStream, computer: &Chosen, reading: &Reading) -> io::Result<()> {
     let config = WebSocketConfig::default().max_message_size(Some(MOST_BYTES)).max_frame_size(Some(MOST_BYTES));
     let Ok(socket) = tungstenite::accept_with_config(stream, Some(config)) else { return Ok(()) };
     let mut page = Page { socket, heard: Instant::now(), asked: false };
-    let mut session = Session::new(Box::new(computer.clone()));
+    let mut session = Session::new(Box::new(computer.clone())).reading(reading.clone());
     let mut steps = FIRST_STEPS;
     loop {
         for _ in 0..MOST_MESSAGES {
@@ -120,9 +120,7 @@ impl Page {
                 (self.heard, self.asked) = (Instant::now(), false);
                 Ok(Heard::Message(message))
             }
-            Err(Error::Io(error)) if matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut) => {
-                Ok(Heard::Nothing)
-            }
+            Err(Error::Io(error)) if is_nothing(&error) => Ok(Heard::Nothing),
             Err(Error::Io(error)) => Err(error),
             Err(_) => Ok(Heard::End),
         }
@@ -138,10 +136,20 @@ impl Page {
     }
 
     fn written(&mut self, message: Message) -> io::Result<()> {
-        match self.socket.send(message) {
+        let mut sent = self.socket.send(message);
+        // What was not written before an interruption is still there.
+        while matches!(&sent, Err(Error::Io(error)) if error.kind() == io::ErrorKind::Interrupted) {
+            sent = self.socket.flush();
+        }
+        match sent {
             Ok(()) => Ok(()),
             Err(Error::Io(error)) => Err(error),
             Err(error) => Err(io::Error::other(error.to_string())),
         }
     }
+}
+
+/// Whether nothing has come: in time, or before a program that was stopped went on.
+fn is_nothing(error: &io::Error) -> bool {
+    matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut | io::ErrorKind::Interrupted)
 }

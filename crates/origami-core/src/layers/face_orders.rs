@@ -2,17 +2,21 @@
 
 use std::collections::BTreeMap;
 
-use origami_core::glam::DVec3;
-use origami_core::ids::FaceId;
-use origami_core::{Model, State};
+use crate::ids::FaceId;
+use crate::model::Model;
+use glam::DVec3;
 
 use super::conditions;
 use super::order::Order;
-use super::pairs::Pairs;
+use super::pairs::{FAR, Pairs};
 
 /// How far the nodes of a sheet that is folded flat lie apart, at most, across its plane, in radii: more than solvers leave,
-/// and less than anything that is not flat.
+/// and less than anything that is not flat. Of a state that has layers of its own nothing is asked but that all triangles are
+/// parallel: its layers may be thick.
 const FLAT: f64 = 5e-3;
+
+/// Cosine of the largest angle between triangles of such a state: 5 degrees.
+const ALIKE: f64 = 0.9962;
 
 /// What two faces that lie upon each other are to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,23 +28,31 @@ pub struct FaceOrder {
     pub side: i8,
 }
 
-/// The order of all pairs of faces that lie upon each other in a state, by their numbers. `None` where
-/// the sheet is not folded flat, or has too many layers to tell ([`super::stack`]).
+/// The order of all pairs of faces that lie upon each other, by their numbers; `positions` by node, in radii, `angles` by crease,
+/// in radians. `None` where the sheet is not folded flat, or has too many layers to tell (some twenty thousand pairs of
+/// triangles upon each other).
 ///
-/// What folds and the conditions of flat folding leave open, the positions decide, as for pictures. Where that ends in three
-/// faces each of which lies on the next, which paper may do but a stack cannot, none of the three pairs is told.
+/// What folds and the conditions of flat folding leave open, the positions decide. Where that ends in three faces each of which
+/// lies on the next, which paper may do but a stack cannot, none of the three pairs is told.
 #[must_use]
-pub fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
-    let positions = &*state.positions;
-    if positions.len() != model.node_count() || !is_flat(model, positions) {
+pub fn face_orders(model: &Model, positions: &[DVec3], angles: &[f64]) -> Option<Vec<FaceOrder>> {
+    if positions.len() != model.node_count() {
         return None;
     }
-    let pairs = Pairs::find(model, positions)?;
+    let thickness = thickness(model, positions)?;
+    let pairs = Pairs::find(model, positions, angles, FAR.max(thickness))?;
+    if thickness >= FLAT && !pairs.has_own() {
+        return None;
+    }
     let mut order = Order::new(&pairs);
-    conditions::add(model, positions, &state.fold_angles, &pairs, &mut order);
+    conditions::add(model, positions, angles, &pairs, &mut order);
     order.decide();
+    Some(told(model, &pairs, &order))
+}
 
-    let in_threes = in_threes(&pairs, &order);
+/// The order of faces that the answers about their triangles are.
+pub(super) fn told(model: &Model, pairs: &Pairs, order: &Order<'_>) -> Vec<FaceOrder> {
+    let in_threes = in_threes(pairs, order);
     let mut sides: BTreeMap<[FaceId; 2], i8> = BTreeMap::new();
     for (pair, triangles) in pairs.triangles.iter().enumerate() {
         let mut both = triangles.map(|t| (model.mesh.face_of_triangle[t as usize], t as usize));
@@ -65,7 +77,7 @@ pub fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
             *told = 0;
         }
     }
-    Some(sides.into_iter().map(|(faces, side)| FaceOrder { faces, side }).collect())
+    sides.into_iter().map(|(faces, side)| FaceOrder { faces, side }).collect()
 }
 
 /// By pair: whether it is one of three pairs of three triangles of which each lies on the next.
@@ -83,28 +95,37 @@ fn in_threes(pairs: &Pairs, order: &Order<'_>) -> Vec<bool> {
     in_threes
 }
 
-/// Whether all nodes lie in the plane of the largest triangle.
-fn is_flat(model: &Model, positions: &[DVec3]) -> bool {
-    let area = |nodes: &[origami_core::ids::NodeId; 3]| {
+/// How far the nodes lie apart across the plane of the largest triangle, in radii; `None` where another triangle is not
+/// parallel to it.
+fn thickness(model: &Model, positions: &[DVec3]) -> Option<f64> {
+    let area = |nodes: &[crate::ids::NodeId; 3]| {
         let [a, b, c] = nodes.map(|n| positions[n.index()]);
         (b - a).cross(c - a)
     };
     let largest =
         model.mesh.triangles.iter().map(area).max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
-    let Some(normal) = largest.and_then(|normal| normal.try_normalize()) else { return false };
+    let normal = largest?.try_normalize()?;
+    let across = |nodes| area(nodes).try_normalize().is_none_or(|own| own.dot(normal).abs() > ALIKE);
     let heights = positions.iter().map(|p| p.dot(normal));
     let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)));
-    high - low < FLAT
+    (high - low < FLAT || model.mesh.triangles.iter().all(across)).then_some(high - low)
 }
 
 #[cfg(test)]
 mod tests {
-    use origami_core::fold::Document;
-    use origami_core::generate::catalog;
-    use origami_core::glam::{DQuat, DVec2};
-    use origami_core::{CreasePattern, Material, Relax, Solver};
+    use crate::contact::Contact;
+    use crate::fold::Document;
+    use crate::generate::catalog;
+    use crate::solve::ContactRelax;
+    use crate::{CreasePattern, Material, Relax, Solver};
+    use glam::{DQuat, DVec2};
 
     use super::*;
+    use crate::solve::State;
+
+    fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
+        super::face_orders(model, &state.positions, &state.fold_angles)
+    }
 
     fn folded(pattern: &CreasePattern, percent: f64) -> (Model, State) {
         let model = Model::new(pattern, &Material::default()).unwrap();
@@ -176,6 +197,20 @@ mod tests {
         for percent in [0.0, 50.0, 95.0] {
             let (model, state) = folded(&pattern, percent);
             assert_eq!(face_orders(&model, &state), None, "{percent} %");
+        }
+    }
+
+    /// What contact has laid on each other is told by where it lies, thick paper too; with nothing between the layers but the
+    /// solver's tolerance the same follows from the folds.
+    #[test]
+    fn layers_that_contact_keeps_apart_are_a_stack_as_they_lie() {
+        let pattern = pleats(&[1.0; 4], "VMV");
+        let (model, free) = folded(&pattern, 100.0);
+        let expected = face_orders(&model, &free).unwrap();
+        for contact in [Contact { gap: 3e-3, ..Contact::default() }, Contact::thick(0.02)] {
+            let solver = ContactRelax { contact, ..ContactRelax::default() };
+            let state = solver.fold_from_rest(&model, 100.0).unwrap().state;
+            assert_eq!(face_orders(&model, &state).unwrap(), expected, "{contact:?}");
         }
     }
 

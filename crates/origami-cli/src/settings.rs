@@ -95,7 +95,9 @@ impl Settings {
         let stages = args.frames.or(sheet_alone.then_some(STAGES));
         let from_flat = args.from_flat.then(|| 100.0_f64.copysign(args.percent));
         let stages_to = |n| frame_percents(from_flat.unwrap_or(0.0), args.percent, n);
-        let percents = stages.filter(|_| sequence.is_none() && !args.contact.backwards).map_or_else(|| vec![args.percent], stages_to);
+        let percents = stages
+            .filter(|_| sequence.is_none() && !args.contact.backwards)
+            .map_or_else(|| vec![args.percent], stages_to);
         Ok(Self {
             frame: args.frame,
             percents,

@@ -53,7 +53,8 @@ pub fn study(options: &Options, watch: &mut dyn Watch) -> Result<Study, StudyErr
         }
         watch.ran(name);
     }
-    let counts = format!("A motion was found for {found} of {} patterns that have a flat-folded state.", table.rows.len());
+    let counts =
+        format!("A motion was found for {found} of {} patterns that have a flat-folded state.", table.rows.len());
     let mut parts = vec![Part::Text(ABOUT.into()), Part::Text(counts)];
     if !left_out.is_empty() {
         parts.push(Part::Text(format!("There was no time for {}.", left_out.join(", "))));
@@ -114,7 +115,8 @@ mod tests {
         let named = |name: &str| (name.to_owned(), catalog::generate(name, &[]).expect(name));
         let patterns = vec![named("square-twist"), named("hypar")];
         let study = study(&Options { patterns, ..Options::default() }, &mut ()).expect("they make models");
-        let tables = study.parts.iter().filter_map(|part| if let Part::Table { table, .. } = part { Some(table) } else { None });
+        let tables =
+            study.parts.iter().filter_map(|part| if let Part::Table { table, .. } = part { Some(table) } else { None });
         let rows = &tables.last().expect("a table").rows;
         let column = |key: &str| COLUMNS.iter().position(|column| column.key == key).expect(key);
         assert_eq!(rows.len(), 1);

@@ -10,7 +10,8 @@ use origami::model::Model;
 use origami::scene::Scene;
 use origami::sequence::{SEQUENCE, Sequence, Stage, TIMELINE};
 use origami::solve::{
-    Backwards, ContactRelax, Failed, Folded, NotBackwards, PathFailed, Progress, Relax, SequenceFailed, State, Stop, fold_sequence,
+    Backwards, ContactRelax, Failed, Folded, NotBackwards, PathFailed, Progress, Relax, SequenceFailed, State, Stop,
+    fold_sequence,
 };
 use origami::{CreasePattern, Error};
 

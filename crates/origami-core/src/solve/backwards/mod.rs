@@ -20,14 +20,24 @@ use crate::layers::{NoOrder, Stacking};
 use crate::model::Model;
 use crate::scene::{Refusal, Scene, Targets};
 use order_force::OrderForce;
-use relations::{Flat, distinct};
+use relations::{Beside, Flat, distinct};
 
 /// By how much a sheet may miss itself in the flat-folded state, in radii.
 const CLOSED: f64 = 1e-3;
-/// How far creases stay open while layers are moved apart, in percent.
-const OPEN: f64 = 5.0;
-/// What is tried, the thinnest first: the gap between layers and the margin between folds, both in radii.
-const ATTEMPTS: [[f64; 2]; 4] = [[3e-4, 3e-3], [1e-3, 3e-3], [3e-3, 1e-2], [1e-2, 1e-2]];
+/// What is tried in turn, until nothing crosses and the sheet opens: thin layers first, whose folds are shifted into each other
+/// from the start; then thick ones that find their way by opening the creases farther, each from the state before it.
+const ATTEMPTS: [Attempt; 10] = [
+    Attempt { open: 5.0, gap: 3e-4, margin: 3e-3, beyond: 1.2e-3, shifted: true },
+    Attempt { open: 5.0, gap: 1e-3, margin: 3e-3, beyond: 1.2e-3, shifted: true },
+    Attempt { open: 5.0, gap: 3e-3, margin: 1e-2, beyond: 4e-3, shifted: true },
+    Attempt { open: 5.0, gap: 1e-2, margin: 1e-2, beyond: 4e-3, shifted: true },
+    Attempt { open: 5.0, gap: 1e-2, margin: 2e-3, beyond: 1e-2, shifted: false },
+    Attempt { open: 5.0, gap: 3e-3, margin: 2e-3, beyond: 1e-2, shifted: false },
+    Attempt { open: 10.0, gap: 1e-2, margin: 2e-3, beyond: 1e-2, shifted: false },
+    Attempt { open: 10.0, gap: 3e-3, margin: 2e-3, beyond: 1e-2, shifted: false },
+    Attempt { open: 20.0, gap: 1e-2, margin: 2e-3, beyond: 1e-2, shifted: false },
+    Attempt { open: 20.0, gap: 3e-3, margin: 2e-3, beyond: 1e-2, shifted: false },
+];
 /// Times that what crosses beside each other is parted in one attempt.
 const ROUNDS: usize = 4;
 /// Evaluations of a round.
@@ -42,6 +52,21 @@ const BETWEEN: u32 = 8;
 const OPENED: f64 = 1e-3;
 /// Evaluations of a stage under contact at most.
 const STAGE: u64 = 6000;
+
+/// How layers are moved apart.
+#[derive(Clone, Copy, Debug)]
+struct Attempt {
+    /// How far creases stay open, in percent.
+    open: f64,
+    /// Between layers, in radii.
+    gap: f64,
+    /// Between what lies beside each other, in radii.
+    margin: f64,
+    /// How far beyond its end a thing still counts where no paper folds around that, in radii.
+    beyond: f64,
+    /// Whether what lies in a fold is kept from its crease, and folds back to back from each other.
+    shifted: bool,
+}
 
 /// Finds a motion that folds a sheet flat without paper going through paper, by opening it from its flat-folded state.
 ///
@@ -146,8 +171,8 @@ impl Backwards {
             Stacking::of(model, &flat.state.positions, &flat.state.fold_angles).map_err(NotBackwards::Order)?;
         let mut run = Run::new(self, model, flat, &stacking);
         let mut failed: Option<NotBackwards> = None;
-        for [gap, margin] in ATTEMPTS {
-            let tried = run.embed(gap, margin, observe).and_then(|held| {
+        for attempt in ATTEMPTS {
+            let tried = run.embed(attempt, observe).and_then(|held| {
                 let opened = run.open(&held, stages, observe)?;
                 Ok((held, opened))
             });
@@ -187,8 +212,7 @@ fn nearer(before: Option<NotBackwards>, now: NotBackwards) -> NotBackwards {
 /// A state that the order of its layers holds.
 struct Held {
     folded: Folded,
-    gap: f64,
-    margin: f64,
+    attempt: Attempt,
 }
 
 struct Run<'a> {
@@ -196,7 +220,11 @@ struct Run<'a> {
     model: &'a Model,
     exact: Folded,
     flat: Flat<'a>,
+    /// What keeps folds from each other from the start.
+    shifts: Vec<Beside>,
     force: OrderForce,
+    /// Where the last attempt ended.
+    reached: State,
     evaluations: u64,
 }
 
@@ -204,34 +232,43 @@ impl<'a> Run<'a> {
     fn new(backwards: &'a Backwards, model: &'a Model, exact: Folded, stacking: &Stacking) -> Self {
         let flat = Flat::new(&model.mesh, &exact.state.positions, stacking);
         let relations = flat.relations(stacking);
-        let mut beside = flat.nested(&relations);
-        beside.extend(flat.back_to_back());
-        let force = OrderForce { relations, beside: distinct(beside), gap: 0.0, margin: 0.0 };
-        Self { backwards, model, exact, flat, force, evaluations: 0 }
+        let mut shifts = flat.nested(&relations);
+        shifts.extend(flat.back_to_back());
+        let force = OrderForce { relations, beside: Vec::new(), gap: 0.0, margin: 0.0, beyond: 0.0 };
+        let reached = exact.state.clone();
+        Self { backwards, model, exact, flat, shifts: distinct(shifts), force, reached, evaluations: 0 }
     }
 
     /// A state near the flat one in which nothing crosses.
     fn embed(
         &mut self,
-        gap: f64,
-        margin: f64,
+        attempt: Attempt,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Held, NotBackwards> {
-        let start = self.exact.state.clone();
-        let (folded, crossings) = self.hold(&start, (gap, margin, OPEN), observe)?;
-        if crossings.is_empty() { Ok(Held { folded, gap, margin }) } else { Err(NotBackwards::Embedded { crossings }) }
+        if attempt.shifted {
+            self.force.beside.clone_from(&self.shifts);
+            self.reached.clone_from(&self.exact.state);
+        } else if self.force.beside.starts_with(&self.shifts) && !self.shifts.is_empty() {
+            self.force.beside.clear();
+            self.reached.clone_from(&self.exact.state);
+        }
+        let start = self.reached.clone();
+        let (folded, crossings) = self.hold(&start, attempt, observe)?;
+        self.reached.clone_from(&folded.state);
+        if crossings.is_empty() { Ok(Held { folded, attempt }) } else { Err(NotBackwards::Embedded { crossings }) }
     }
 
     /// Relaxes from a state under the force that keeps the order, again and again while triangles cross that only touched.
     fn hold(
         &mut self,
         start: &State,
-        (gap, margin, open): (f64, f64, f64),
+        attempt: Attempt,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<(Folded, Crossings), Failed> {
-        (self.force.gap, self.force.margin) = (gap, margin);
+        let Attempt { open, gap, margin, beyond, .. } = attempt;
+        (self.force.gap, self.force.margin, self.force.beyond) = (gap, margin, beyond);
         let relax = Relax {
-            tolerance: 1e-4 * open / OPEN,
+            tolerance: 2e-5 * open,
             perturbation: 0.0,
             saddle_search: 0.0,
             retry: false,
@@ -283,7 +320,7 @@ impl<'a> Run<'a> {
         let stages = stages.max(1);
         let mut states: Vec<Folded> = Vec::new();
         for stage in (0..stages).rev() {
-            let percent = (100.0 - OPEN) * f64::from(stage) / f64::from(stages);
+            let percent = (100.0 - held.attempt.open) * f64::from(stage) / f64::from(stages);
             let from = states.last().map_or(&held.folded.state, |folded| &folded.state);
             let mut folded = solver.fold(self.model, from, &Scene::percent(percent), observe)?;
             self.evaluations += folded.steps;
@@ -304,15 +341,15 @@ impl<'a> Run<'a> {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Vec<Held>, NotBackwards> {
         let mut states = vec![held];
-        for number in 1..=MOST_HELD {
-            let Some(Held { folded, gap, margin }) = states.last() else { break };
-            let share = SHRINK.powi(i32::try_from(number).unwrap_or(i32::MAX));
-            let (start, gap, margin) = (folded.state.clone(), SHRINK * gap, *margin);
-            let (folded, crossings) = self.hold(&start, (gap, margin, share * OPEN), observe)?;
+        for _ in 0..MOST_HELD {
+            let Some(Held { folded, attempt }) = states.last() else { break };
+            let attempt = Attempt { open: SHRINK * attempt.open, gap: SHRINK * attempt.gap, ..*attempt };
+            let start = folded.state.clone();
+            let (folded, crossings) = self.hold(&start, attempt, observe)?;
             if !crossings.is_empty() || !self.is_free(&start.positions, &folded.state.positions) {
                 break;
             }
-            states.push(Held { folded, gap, margin });
+            states.push(Held { folded, attempt });
         }
         Ok(states)
     }
@@ -334,7 +371,7 @@ impl<'a> Run<'a> {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Motion, NotBackwards> {
         let closing = self.close(held, observe)?;
-        let Some((last, gap)) = closing.last().map(|held| (&held.folded.state, held.gap)) else {
+        let Some((last, gap)) = closing.last().map(|held| (&held.folded.state, held.attempt.gap)) else {
             return Err(NotBackwards::Closed { off: f64::NAN });
         };
         let angles = last.fold_angles.iter().zip(&self.exact.state.fold_angles);

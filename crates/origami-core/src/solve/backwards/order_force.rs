@@ -12,8 +12,6 @@ use crate::scene::Force;
 const STIFFNESS: f64 = 5000.0;
 /// How far beyond an end that paper folds around a relation goes on, fading, in radii.
 const FAR: f64 = 0.1;
-/// The same beyond another end, as a share of the margin.
-const NEAR: f64 = 0.4;
 
 /// Pushes layers apart that are nearer than a gap or on the wrong side, and nodes that are nearer to a line than a margin or beyond it.
 #[derive(Clone, Debug)]
@@ -24,6 +22,8 @@ pub(super) struct OrderForce {
     pub(super) gap: f64,
     /// In radii.
     pub(super) margin: f64,
+    /// How far a relation goes on beyond an end that no paper folds around, fading, in radii.
+    pub(super) beyond: f64,
 }
 
 /// A relation at some positions.
@@ -42,7 +42,7 @@ impl OrderForce {
     fn measure(&self, relation: &Relation, positions: &[DVec3]) -> Option<Measured> {
         let [a, b, c, d] = relation.nodes.map(|n| positions[n.index()]);
         let inside = |by: f64, place: usize| {
-            let reach = if relation.folded_around[place] { FAR } else { NEAR * self.margin };
+            let reach = if relation.folded_around[place] { FAR } else { self.beyond };
             (1.0 + by / reach).clamp(0.0, 1.0)
         };
         if relation.split == 1 {
@@ -134,5 +134,60 @@ impl Force for OrderForce {
             }
         }
         true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::super::relations::Flat;
+    use super::*;
+    use crate::generate::catalog;
+    use crate::layers::Stacking;
+    use crate::model::{Material, Model};
+    use crate::solve::{Reflect, Solver};
+
+    /// Where nothing fades the force is the gradient of the energy, by differences; and it has no momentum anywhere.
+    #[test]
+    fn forces_are_the_gradient_of_the_energy() {
+        let model = Model::new(&catalog::generate("bird-base", &[]).unwrap(), &Material::default()).unwrap();
+        let flat = Reflect::default().fold_from_rest(&model, 100.0).unwrap().state;
+        let stacking = Stacking::of(&model, &flat.positions, &flat.fold_angles).unwrap();
+        let sheet = Flat::new(&model.mesh, &flat.positions, &stacking);
+        let all = sheet.relations(&stacking);
+        let mut force =
+            OrderForce { relations: all, beside: sheet.back_to_back(), gap: 0.05, margin: 0.02, beyond: 0.01 };
+        let mut seed = 1_u64;
+        let mut next = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            f64::from(u32::try_from(seed >> 32).unwrap()) / f64::from(1_u32 << 31) - 1.0
+        };
+        let positions: Vec<DVec3> =
+            flat.positions.iter().map(|p| *p + 0.02 * DVec3::new(next(), next(), next())).collect();
+        let of = |force: &OrderForce| {
+            let mut forces = vec![DVec3::ZERO; positions.len()];
+            force.add_forces(&positions, &[], &mut forces);
+            forces
+        };
+        let all = of(&force);
+        let size: f64 = all.iter().map(|f| f.length()).sum();
+        assert!(size > 0.0 && all.iter().sum::<DVec3>().length() < 1e-12 * size);
+        // Fading is not of the energy.
+        let whole = |relation: &Relation| force.measure(relation, &positions).is_none_or(|m| m.fading == 1.0);
+        force.relations = force.relations.iter().copied().filter(whole).collect();
+        assert!(force.relations.len() > 20 && !force.beside.is_empty());
+        let forces = of(&force);
+        for (node, own) in forces.iter().enumerate() {
+            for axis in 0..3 {
+                let at = |h: f64| {
+                    let mut moved = positions.clone();
+                    moved[node][axis] += h;
+                    force.energy(&moved).unwrap()
+                };
+                let slope = (at(1e-6) - at(-1e-6)) / 2e-6;
+                assert!((slope + own[axis]).abs() < 1e-5 * size, "node {node}: {slope}, force {own}");
+            }
+        }
     }
 }

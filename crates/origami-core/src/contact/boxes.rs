@@ -117,22 +117,21 @@ impl BoxTree {
         self.nodes.len()
     }
 
-    /// Tells `visit` all pairs of things of leaves that meet the box of a thing grown by so much: all pairs that meet so
-    /// themselves, once each, and some more. Only those of which the first is in one of these parts.
-    pub(super) fn near_each_other(
-        &self,
-        parts: Range<usize>,
-        (boxes, by): (&[Bounds], f64),
-        mut visit: impl FnMut([usize; 2]),
-    ) {
+    /// Tells `visit` all pairs of things whose boxes meet, once each, and some more. Only those of which the first is in one of
+    /// these parts.
+    pub(super) fn near_each_other(&self, parts: Range<usize>, mut visit: impl FnMut([usize; 2])) {
         for at in parts {
-            let [from, to] = self.nodes[at].things.map(|i| i as usize);
-            for i in from..to {
-                let own = self.things[i] as usize;
-                let grown = boxes[own].grown(by);
-                self.things[i + 1..to].iter().for_each(|other| visit([own, *other as usize]));
+            let node = &self.nodes[at];
+            let [from, to] = node.things.map(|i| i as usize);
+            let own = &self.things[from..to];
+            for (i, first) in own.iter().enumerate() {
+                own[i + 1..].iter().for_each(|second| visit([*first as usize, *second as usize]));
+            }
+            if !own.is_empty() {
                 // What lies before has met it already.
-                self.near_from(at + 1, &grown, |other| visit([own, other]));
+                self.near_from(at + 1, &node.bounds, |second| {
+                    own.iter().for_each(|first| visit([*first as usize, second]));
+                });
             }
         }
     }
@@ -199,7 +198,7 @@ mod tests {
             let mut together = Vec::new();
             let half = tree.parts() / 2;
             for parts in [0..half, half..tree.parts()] {
-                tree.near_each_other(parts, (&boxes, 0.0), |[a, b]| together.push([a.min(b), a.max(b)]));
+                tree.near_each_other(parts, |[a, b]| together.push([a.min(b), a.max(b)]));
             }
             together.retain(|[a, b]| boxes[*a].meets(&boxes[*b]));
             let pairs = together.len();

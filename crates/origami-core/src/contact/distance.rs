@@ -4,7 +4,7 @@ use glam::DVec3;
 
 /// Edges whose directions enclose an angle of less sine squared than this are nearly parallel: where their lines are nearest
 /// says little then, and their ends are looked at too.
-pub(super) const PARALLEL: f64 = 1e-8;
+pub const PARALLEL: f64 = 1e-8;
 
 /// The two nearest points of two things.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -14,11 +14,12 @@ use super::soon::Soon;
 use super::task::{self, All, Felt, Task};
 use crate::mesh::Mesh;
 use crate::parallel;
+pub(super) use listing::{FEW, MANY, MOST_SKINS};
 
 /// Pairs are listed up to so much beyond the gap, as a share of the median edge.
-const SKIN: f64 = 0.1;
+pub(super) const SKIN: f64 = 0.1;
 /// No node moves farther in one evaluation than this share of the skin, so that a new list has all that may close.
-const LONGEST: f64 = 0.2;
+pub(super) const LONGEST: f64 = 0.2;
 /// No pair that is not listed is nearer than the gap and this share of the skin when others are measured one by one.
 const SPARE: f64 = 0.5;
 /// Pairs that one task measures at least.

@@ -11,7 +11,9 @@ use super::pairs::{Near, Pair};
 use crate::ids::NodeId;
 
 /// The share of a gap that one move may use up.
-const USABLE: f64 = 0.5;
+pub const USABLE: f64 = 0.5;
+/// A pair is looked at before a move if its gap is below so many times what both of its things may move.
+pub const WITHIN: f64 = 1.2;
 /// The share of a pair's width that is never used up: without it gaps would shrink to nothing by halves.
 const FLOOR: f64 = 1e-3;
 

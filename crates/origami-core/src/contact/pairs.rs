@@ -7,12 +7,12 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::barrier::{Barrier, mollifier};
+use super::Contact;
+use super::barrier::{Barrier, NEARER, mollifier};
 use super::boxes::{Bounds, BoxTree};
 use super::distance::{Nearest, of_edges, of_point_and_triangle};
 use super::sieve::{Candidate, Sieve};
 use super::wedge::{THICKEST, Wedges};
-use super::{Contact, NEARER};
 use crate::ids::NodeId;
 use crate::mesh::{Mesh, Side};
 use crate::parallel;
@@ -103,6 +103,7 @@ struct At<'a> {
     positions: &'a [DVec3],
     reach: f64,
     triangles: Vec<Bounds>,
+    /// Grown by half of how far apart edges may be.
     edges: Vec<Bounds>,
     tree_of_triangles: BoxTree,
     tree_of_edges: BoxTree,
@@ -170,7 +171,10 @@ impl Finder {
     pub(super) fn find(&self, positions: &[DVec3], reach: f64, pairs: &mut Vec<Pair>, gaps: &mut Vec<f64>) {
         pairs.clear();
         gaps.clear();
-        let (triangles, edges) = (boxes(&self.triangles, positions), boxes(&self.edges, positions));
+        let triangles = boxes(&self.triangles, positions);
+        // Boxes that are so much larger meet where edges may be within reach.
+        let half = 0.5 * (reach + self.thickest);
+        let edges: Vec<Bounds> = boxes(&self.edges, positions).into_iter().map(|own| own.grown(half)).collect();
         let at = At {
             positions,
             reach,
@@ -227,10 +231,9 @@ impl Finder {
                 });
             }
         } else {
-            at.tree_of_edges.near_each_other(part, (&at.edges, farthest), |[first, second]| {
+            at.tree_of_edges.near_each_other(part, |[first, second]| {
                 let ([p, q], [r, s]) = (self.edges[first], self.edges[second]);
-                let meet = at.edges[second].meets(&at.edges[first].grown(farthest));
-                if meet && ![r, s].contains(&p) && ![r, s].contains(&q) {
+                if at.edges[first].meets(&at.edges[second]) && ![r, s].contains(&p) && ![r, s].contains(&q) {
                     sieve.take(Candidate { nodes: [p, q, r, s], numbers: [first, second] }, &mut found);
                 }
             });

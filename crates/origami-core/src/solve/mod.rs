@@ -10,9 +10,12 @@
 
 #[doc(hidden)]
 pub mod attempt;
+mod backwards;
 mod bare_kernel;
 mod clock;
 mod clusters;
+#[doc(hidden)]
+pub mod contact_end;
 mod contact_relax;
 mod crushed;
 mod driver;
@@ -46,9 +49,11 @@ mod sweep;
 mod threads;
 pub mod time_step;
 
+pub use backwards::{Backwards, Motion, NotBackwards};
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
-pub use contact_relax::{ContactRelax, Touch};
+pub use contact_end::{Touch, Touching};
+pub use contact_relax::ContactRelax;
 pub use crushed::{CRUSHED, crushed_triangles};
 use driver::REPORT;
 pub use driver::{Folded, Instance, Progress, Session, Solver, Stop, unwatched};

@@ -1,7 +1,7 @@
 //! The barrier of gaps, and what eases out edges that are nearly parallel.
 
 use super::{Given, Measured, Row, Rows, WIDTH, choose};
-use crate::contact::NEARER;
+use crate::contact::barrier::NEARER;
 
 /// How pairs push.
 #[derive(Clone, Debug)]

@@ -2,12 +2,9 @@
 
 use glam::DVec3;
 
-use super::super::limit::{Shares, limit_pair};
+use super::super::limit::{Shares, WITHIN, limit_pair};
 use super::Layers;
 use crate::ids::NodeId;
-
-/// A pair is looked at before a move if its gap is below so many times what both of its things may move.
-const WITHIN: f64 = 1.2;
 
 impl Layers {
     /// Shortens moves from the positions last measured so that nothing goes through anything: no node beyond a plane between

@@ -5,10 +5,10 @@ use glam::DVec3;
 use super::Layers;
 
 /// Pairs are listed up to so many skins beyond the gap where few are found there. More: lists last longer and are longer.
-const MOST_SKINS: f64 = 4.0;
+pub(in crate::contact) const MOST_SKINS: f64 = 4.0;
 /// As many pairs for each node are few, and many.
-const FEW: usize = 4;
-const MANY: usize = 32;
+pub(in crate::contact) const FEW: usize = 4;
+pub(in crate::contact) const MANY: usize = 32;
 /// Pairs that may come near within about so many evaluations are looked at in each of them.
 const SOON: f64 = 8.0;
 /// Or within a move of this share of the gap.

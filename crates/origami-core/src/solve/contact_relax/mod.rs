@@ -10,10 +10,10 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::contact_end::{Touch, Touching};
 use super::threads::{count, share};
 use super::{Failed, Folded, Precision, Progress, Relax, Solver, State, unwatched};
-use crate::contact::{Contact, Pressing};
-use crate::ids::CreaseId;
+use crate::contact::Contact;
 use crate::model::{Inventory, Model};
 use crate::scene::{Refusal, Scene};
 use run::Run;
@@ -31,24 +31,6 @@ pub struct ContactRelax {
     pub contact: Contact,
 }
 
-/// What contact did on a way to a state.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct Touch {
-    /// The faces that press at the end, the hardest first.
-    pub pressing: Vec<Pressing>,
-    /// The share of the way to the targets, 0 to 1, at which a move was first shortened; `None`: nothing was ever in the way.
-    pub first_limited: Option<f64>,
-    /// Evaluations in which some move was shortened.
-    pub limited: u64,
-    /// The least gap at the end, in radii; infinite where nothing touches.
-    pub least_gap: f64,
-    /// The crease that is farthest from the angle asked of it, and how far, in radians.
-    pub farthest: Option<(CreaseId, f64)>,
-    /// Most pairs that were listed at one time.
-    pub most_pairs: usize,
-}
-
 impl Solver for ContactRelax {
     fn fold(
         &self,
@@ -62,6 +44,18 @@ impl Solver for ContactRelax {
 
     fn inventory(&self, model: &Model) -> Inventory {
         self.relax.inventory(model)
+    }
+}
+
+impl Touching for ContactRelax {
+    fn fold_touching(
+        &self,
+        model: &Model,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<(Folded, Touch), Failed> {
+        Self::fold_touching(self, model, start, scene, observe)
     }
 }
 

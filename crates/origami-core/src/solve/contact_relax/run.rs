@@ -4,28 +4,21 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::super::contact_end::{Touch, farthest, is_held_up, patience, residual, touched};
 use super::super::guard::Guard;
-use super::super::largest::largest;
 use super::super::ramp::Ramp;
-use super::super::relax::{default_ramp, ramp_between};
+use super::super::relax::ramp_between;
 use super::super::settle::Settling;
 use super::super::surroundings::Surroundings;
 use super::super::{Failed, Folded, Progress, REPORT, State, Stop};
-use super::{ContactRelax, Touch};
-use crate::contact::{Crossings, Layers, pressing};
-use crate::forces::Forces;
-use crate::ids::CreaseId;
+use super::ContactRelax;
+use crate::contact::{Crossings, Layers};
 use crate::kernel::{Bounds, Kernel};
 use crate::model::Model;
 use crate::scene::{Refusal, Scene};
 use crate::twins::checkpoint::COPY_EVERY;
 use crate::twins::fire_update::{Fire, HOLD};
 use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
-
-/// A sheet at rest under contact that is farther than this from an angle asked of it is blocked, in degrees.
-const OFF: f64 = 10.0;
-/// Ramps for which it goes on at the final targets while contact holds it up.
-const PATIENCE: u64 = 10;
 
 /// One fold.
 pub(super) struct Run<'a> {
@@ -45,9 +38,11 @@ pub(super) struct Run<'a> {
     /// By node, of springs and contact.
     pub(super) forces: Vec<DVec3>,
     pub(super) moves: Vec<DVec3>,
-    /// By node: row sums of the springs, and of the contact too.
-    pub(super) springs: Vec<f64>,
-    pub(super) masses: Vec<f64>,
+    /// By node: row sums of the springs, with their inverses.
+    pub(super) springs: Vec<[f64; 2]>,
+    /// The same with those of contact; of no use where nothing is felt of it.
+    pub(super) masses: Vec<[f64; 2]>,
+    pub(super) felt: bool,
     pub(super) steps: u64,
     /// The evaluation at which the ramp was done.
     arrived: u64,
@@ -96,8 +91,9 @@ impl<'a> Run<'a> {
             velocities: vec![DVec3::ZERO; nodes],
             forces: vec![DVec3::ZERO; nodes],
             moves: vec![DVec3::ZERO; nodes],
-            springs: vec![0.0; nodes],
-            masses: vec![0.0; nodes],
+            springs: vec![[0.0; 2]; nodes],
+            masses: vec![[0.0; 2]; nodes],
+            felt: false,
             steps: 0,
             arrived: 0,
             last_limited: 0,
@@ -112,7 +108,7 @@ impl<'a> Run<'a> {
     ) -> Result<Stop, Failed> {
         let relax = &self.solver.relax;
         let (limit, all) = (relax.steps.unwrap_or(relax.max_steps), relax.steps.is_some());
-        let patience = PATIENCE * u64::from(default_ramp(self.model));
+        let patience = patience(self.model);
         let mut turned = 0.0;
         while self.steps < limit {
             if !self.ramp.done() && turned <= HOLD {
@@ -154,15 +150,9 @@ impl<'a> Run<'a> {
 
     /// Whether layers press, and a crease is far from the angle asked of it.
     fn is_held_up(&self) -> bool {
-        self.layers.count() > 0 && self.farthest().is_some_and(|(_, off)| off > OFF.to_radians())
-    }
-
-    fn farthest(&self) -> Option<(CreaseId, f64)> {
         let mut angles = vec![0.0; self.model.creases.len()];
         self.kernel.read_angles(&mut angles);
-        let off = angles.iter().zip(self.ramp.asked()).map(|(reached, asked)| (reached - asked).abs());
-        let all = off.enumerate().map(|(crease, off)| (CreaseId::new(crease), off));
-        all.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
+        is_held_up(&self.layers, farthest(&angles, self.ramp.asked()))
     }
 
     /// All that moves, without targets.
@@ -178,33 +168,23 @@ impl<'a> Run<'a> {
         self.kernel.set_positions(&self.positions);
         self.kernel.springs(false);
         self.layers.measure(&self.positions);
-        let touch = Touch {
-            pressing: pressing(&self.model.mesh, &self.layers, &self.positions),
-            least_gap: self.layers.least_gap(),
-            farthest: self.farthest(),
-            ..std::mem::take(&mut self.touch)
-        };
         let mut state = self.state();
-        state.velocities.fill(DVec3::ZERO);
         state.targets = self.ramp.into_asked();
-        let held = self.surroundings.held().clone();
-        let mut forces = Forces::holding(self.model, self.scene, held.clone());
-        let mut all = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles).to_vec();
-        let mut of_contact = vec![DVec3::ZERO; all.len()];
-        self.layers.add(&state.positions, &mut of_contact, &mut self.masses);
-        held.clear(&mut of_contact);
-        all.iter_mut().zip(&of_contact).for_each(|(all, own)| *all += *own);
+        let touch = touched(self.model, &self.layers, &state, std::mem::take(&mut self.touch));
+        state.velocities.fill(DVec3::ZERO);
+        let (residual, reactions) =
+            residual((self.model, self.scene), self.surroundings.held(), &self.layers, &mut state);
         let folded = Folded {
             targets: self.scene.targets.clone(),
             stop,
             steps: self.steps,
             time_step: self.fire.step,
-            residual: largest(&all),
+            residual,
             distance: self.settling.distance(),
             attempts: 1,
             factorisations: 0,
             saddles: 0,
-            reactions: forces.reactions().to_vec(),
+            reactions,
             state,
         };
         (folded, touch)

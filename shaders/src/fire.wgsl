@@ -75,14 +75,26 @@ fn update_fire(instance: u32, sums: vec4<f32>) {
     atomicStore(&control[instance].move_squared_max, 0u);
 }
 
-// Node `n` after it has moved as was decided.
-fn turned(instance: u32, n: u32, node: Node) -> Node {
+// Where a node is to go, and how fast.
+struct Aim {
+    velocity: vec3<f32>,
+    displacement: vec3<f32>,
+}
+
+// What was decided, for one node.
+fn aimed(instance: u32, node: Node) -> Aim {
     let step = control[instance].fire_step;
     let force = node.force * (control[instance].towards_force / node.mass);
+    let velocity = node.velocity * control[instance].keep + force;
+    return Aim(velocity, velocity * step + node.velocity * control[instance].back);
+}
+
+// Node `n` after it has moved as was decided.
+fn turned(instance: u32, n: u32, node: Node) -> Node {
+    let aim = aimed(instance, node);
     var there = node;
-    there.velocity = node.velocity * control[instance].keep + force;
-    let displacement = there.velocity * step + node.velocity * control[instance].back;
-    let position = moved(instance, n, SplitVector(node.high, node.low), displacement);
+    there.velocity = aim.velocity;
+    let position = moved(instance, n, SplitVector(node.high, node.low), aim.displacement);
     there.high = position.high;
     there.low = position.low;
     return there;

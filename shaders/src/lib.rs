@@ -81,6 +81,10 @@ shaders! {
     SLOTS = "slots.wgsl";
     /// Forces on a node, summed in fixed order.
     GATHER = "gather.wgsl";
+    /// The force on a node without contact.
+    FORCE_OF_SPRINGS = "force_of_springs.wgsl";
+    /// The force on a node under contact.
+    FORCE_IN_CONTACT = "force_in_contact.wgsl";
     /// The stopping rule's decision.
     SETTLING = "settling.wgsl";
     /// The safe time step.
@@ -165,6 +169,36 @@ shaders! {
     WORKGROUP_DYNAMICS = "workgroup_dynamics.wgsl";
     /// Kernel: many evaluations of a relaxation by one workgroup.
     WORKGROUP_RELAX = "workgroup_relax.wgsl";
+    /// Contact: where nodes find what pairs do to them.
+    PAIR_ROWS = "pair_rows.wgsl";
+    /// Pairs of things that may touch.
+    PAIRS = "pairs.wgsl";
+    /// Paper with a thickness.
+    THICK = "thick.wgsl";
+    /// Paper without.
+    THICK_NONE = "thick_none.wgsl";
+    /// The nearest points of two things.
+    DISTANCE = "distance.wgsl";
+    /// The energy of a gap.
+    BARRIER = "barrier.wgsl";
+    /// What pairs do to a node, summed in fixed order.
+    PUSHES = "pushes.wgsl";
+    /// What nodes are about to do.
+    MOVES = "moves.wgsl";
+    /// What contact does on the way.
+    TOUCH = "touch.wgsl";
+    /// Kernel: gaps and forces of pairs.
+    PAIR_FORCES = "pair_forces.wgsl";
+    /// Kernel: sums the forces on the nodes under contact, for FIRE.
+    CONTACT_REDUCE = "contact_reduce.wgsl";
+    /// Kernel: the moves that FIRE would make.
+    CONTACT_AIM = "contact_aim.wgsl";
+    /// Kernel: how much of its move pairs leave to a node.
+    PAIR_LIMITS = "pair_limits.wgsl";
+    /// Kernel: moves the nodes under contact.
+    CONTACT_MOVE = "contact_move.wgsl";
+    /// Kernel: keeps count of what contact does.
+    CONTACT_CLOCK = "contact_clock.wgsl";
 }
 
 /// The paper's five passes over displacements from rest: not the fastest, but the plainest. A kernel is [`CONTROL`],

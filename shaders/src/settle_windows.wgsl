@@ -12,7 +12,7 @@ fn settle_windows(
     let checks_now = control[instance].stop == RUNNING && ramp_is_done(instance) && window_ends(instance);
     if (id.x < NODES && checks_now) {
         let node = instance * NODES + id.x;
-        own = next_window(node, nodes[node], gathered(instance, id.x).xyz);
+        own = next_window(node, nodes[node], force_on(instance, id.x));
     }
     let both = workgroup_maxima_and_sums(local, own);
     if (local == 0u) {

@@ -52,8 +52,8 @@ export function material(list, begun, changed) {
 
 /** How the sheet is, by the head of a frame. */
 export function numbers(head) {
-    const state = head.failed ? "failed" : head.settled ? "settled" : head.running ? "moving" : "paused";
-    const words = { failed: "Stopped", settled: "Settled", moving: head.ramp < 1 ? "Folding" : "Settling", paused: "Paused" };
+    const state = head.failed || head.recorded?.ended ? "failed" : head.settled ? "settled" : head.running ? "moving" : "paused";
+    const words = { failed: head.failed ? "Stopped" : "Held up", settled: "Settled", moving: head.ramp < 1 ? "Folding" : "Settling", paused: "Paused" };
     const badge = $("state");
     if (badge.dataset.state !== state || badge.textContent !== words[state]) {
         badge.dataset.state = state;
@@ -73,7 +73,7 @@ export function numbers(head) {
     if (head.recorded?.ended) odd.push(head.recorded.ended);
     if (head.settled && head.lost_creases) odd.push(`${head.lost_creases} creases went astray: this is not the fold that was asked for. Reset, and fold in smaller steps.`);
     if (head.settled && head.crushed) odd.push(`${head.crushed} triangles are crushed to a line.`);
-    if (head.settled && !odd.length && head.strain_max > 0.05) odd.push("Some paper is strained by more than 5 %: real paper would tear or bend here.");
+    if (head.settled && !odd.length && head.strain_max > 0.05) odd.push("Some paper is strained by more than 5\u00a0%: real paper would tear or bend here.");
     const list = $("told");
     if (list.dataset.said !== odd.join("\n")) {
         list.dataset.said = odd.join("\n");

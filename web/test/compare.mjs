@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
+import { ROOT } from "./program.mjs";
 
 /** The largest difference between the distances of any two vertices in two FOLD files: wherever the sheets lie. */
 export function apart(one, other) {
@@ -48,7 +49,7 @@ export const different = (page, one, other) => page.evaluate(async (pngs) => {
 /** What may differ: see `different`. */
 export const FEW = 0.005;
 
-const kept = join(process.env.ORIGAMI_ROOT, "web/test/shots/");
+const kept = join(ROOT, "web/test/shots/");
 
 /** The picture of a canvas of the page, as PNG, 320 by 240 pixels: no text is in it, which differs from machine to machine. */
 export async function drawn(page, view = "stage") {
@@ -69,6 +70,6 @@ export async function isKept(page, name, png) {
     const file = join(kept, `${name}.png`);
     if (process.env.PICTURES === "keep") return writeFile(file, png);
     const share = await different(page, png, await readFile(file));
-    if (share > FEW) await writeFile(join(process.env.ORIGAMI_ROOT, "target", `${name}-differs.png`), png);
+    if (share > FEW) await writeFile(join(ROOT, "target", `${name}-differs.png`), png);
     assert.ok(share <= FEW, `${name}: ${(100 * share).toFixed(2)} % of the pixels differ; target/${name}-differs.png is what was drawn, PICTURES=keep keeps it`);
 }

@@ -7,9 +7,10 @@ import { basename, join } from "node:path";
 import { createInterface } from "node:readline";
 import { chromium } from "playwright-core";
 
-export const patterns = join(process.env.ORIGAMI_ROOT, "examples/patterns/");
-export const sequences = join(process.env.ORIGAMI_ROOT, "examples/sequences/");
-export const broken = join(process.env.ORIGAMI_ROOT, "tests/broken/");
+export const ROOT = process.env.ORIGAMI_ROOT ?? join(import.meta.dirname, "../..");
+export const patterns = join(ROOT, "examples/patterns/");
+export const sequences = join(ROOT, "examples/sequences/");
+export const broken = join(ROOT, "tests/broken/");
 export const PROGRAM = process.env.ORIGAMI;
 export const BROWSER = process.env.CHROMIUM ?? "/usr/bin/chromium";
 

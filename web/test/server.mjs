@@ -82,7 +82,9 @@ export const server = ({ context }) => ({
             await stays.evaluate(() => origami.recording.begin(false));
             await stays.waitForFunction(() => origami.last.recorded);
             assert.deepEqual([...page.wrong, ...stays.wrong], []);
-            first ??= { program: await memory(), page: await heap() };
+            const now = { program: await memory(), page: await heap() };
+            first ??= now;
+            if (process.env.SOAK && rounds % 50 === 49) console.log(`        round ${rounds + 1}: program ${now.program.toFixed(1)} MB, page ${now.page.toFixed(1)} MB`);
         }
         const last = { program: await memory(), page: await heap() };
         const told = Object.keys(last).map((whose) => `${whose} ${first[whose].toFixed(1)} to ${last[whose].toFixed(1)} MB`);

@@ -5,8 +5,9 @@ use std::time::Duration;
 use origami::contact::Contact;
 use origami::measure::attitude::Hold;
 use origami::model::{Material, Model};
+use origami::solve::{ContactDynamics, ContactRelax, Touching};
 #[cfg(feature = "newton")]
-use origami::solve::Newton;
+use origami::solve::{ContactNewton, Newton};
 use origami::solve::{Dynamics, Failed, Integrator, Precision, Reflect, Relax, Solver, State, TimeStep, time_step};
 use origami::{CreasePattern, Warning, measure};
 
@@ -112,7 +113,7 @@ impl Settings {
             max_time: args.max_seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()),
             solver_name: solving.solver,
             method: method(solving, args.perturbation)?,
-            backend: if stepwise {
+            backend: if stepwise && solving.backend != BackendName::Gpu {
                 Backend::new(BackendName::Cpu, None)?
             } else {
                 backend(solving, &args.material.named())?
@@ -136,6 +137,21 @@ impl Settings {
     /// What reports call that.
     pub(crate) fn start_name(&self) -> &'static str {
         if self.from_flat.is_some() { "flat" } else { "rest" }
+    }
+
+    /// What folds under contact, as `solver` says or, where another than relaxation is asked for, as that does.
+    pub(crate) fn in_contact(&self, solver: ContactRelax) -> Box<dyn Touching> {
+        match &self.method {
+            Method::Dynamics(dynamics) => {
+                Box::new(ContactDynamics { dynamics: dynamics.clone(), contact: solver.contact })
+            }
+            #[cfg(feature = "newton")]
+            Method::Newton(newton) => {
+                let (residual, max_factorisations) = (newton.residual, newton.max_factorisations);
+                Box::new(ContactNewton { relax: solver, residual, max_factorisations })
+            }
+            Method::Relax(_) | Method::Reflect(_) => self.backend.in_contact(solver),
+        }
     }
 
     /// How many states are settled for one input.
@@ -187,8 +203,12 @@ fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
     if !able.contains(&solving.solver) {
         return Err(format!("--solver {}: it has no {option}; expected {expected}", solving.solver.name()));
     }
-    if solving.backend == BackendName::Gpu {
-        return Err(format!("--backend gpu: {option} runs on the processor; expected auto or cpu"));
+    if solving.backend == BackendName::Gpu && args.contact.sequence.is_some() {
+        return Err("--backend gpu: --sequence runs on the processor; expected auto or cpu".to_owned());
+    }
+    if solving.backend == BackendName::Gpu && solving.solver != SolverName::Relax {
+        let name = solving.solver.name();
+        return Err(format!("--backend gpu: --contact of {name} runs on the processor; expected auto or cpu"));
     }
     if args.contact.keeps_apart() && solving.precision() != Precision::F64 {
         return Err("--precision mixed: contact needs f64; expected f64 with --contact".to_owned());

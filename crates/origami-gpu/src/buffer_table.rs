@@ -6,9 +6,10 @@ use origami_core::generate::miura;
 use origami_core::{Material, Model};
 
 use crate::kernels::{
-    Kernel, Per, block_clock, block_dynamics, block_forces, block_relax, bring_home, checkpoint, fire_move,
-    fire_update, fold_angles, integrate, loose_beams, reduce_forces, row_sums, safe_time_step, settle_decide,
-    settle_windows, state_bounds, stiffness_max, triangle_forces, workgroup_dynamics, workgroup_relax,
+    Kernel, Per, block_clock, block_dynamics, block_forces, block_relax, bring_home, checkpoint, contact_aim,
+    contact_clock, contact_move, contact_reduce, fire_move, fire_update, fold_angles, integrate, loose_beams,
+    pair_forces, pair_limits, reduce_forces, row_sums, safe_time_step, settle_decide, settle_windows, state_bounds,
+    stiffness_max, triangle_forces, workgroup_dynamics, workgroup_relax,
 };
 use crate::paper::PASSES;
 use crate::shader_checks::{Checked, accesses, checked};
@@ -16,7 +17,7 @@ use crate::sheet_arrays::SheetArrays;
 use crate::testing::variants;
 use crate::variant::{Scheme, Variant};
 
-const KERNELS: [&Kernel; 21] = [
+const KERNELS: [&Kernel; 27] = [
     &fold_angles::KERNEL,
     &triangle_forces::KERNEL,
     &loose_beams::KERNEL,
@@ -38,6 +39,12 @@ const KERNELS: [&Kernel; 21] = [
     &block_dynamics::KERNEL,
     &bring_home::KERNEL,
     &block_relax::KERNEL,
+    &pair_forces::KERNEL,
+    &contact_reduce::KERNEL,
+    &contact_aim::KERNEL,
+    &pair_limits::KERNEL,
+    &contact_move::KERNEL,
+    &contact_clock::KERNEL,
 ];
 
 /// By binding: the buffer's name, the kernels that write it and those that read it.
@@ -107,8 +114,13 @@ fn the_pipeline_has_the_buffers_that_the_table_tells() {
     let rich = KERNELS.iter().filter(several).filter(|k| k.per != Per::Block);
     let rich = rich.map(|k| (*k, Variant { rigidities: true, softens: true, ..variant.clone() }));
     let blocks = KERNELS.iter().filter(blocks).map(|k| (*k, in_blocks.clone()));
+    let settling = [(&settle_windows::KERNEL, variants::in_contact(false))];
     let there = found(
-        plain.chain(rich).chain(blocks).map(|(k, variant)| (k.name, k.entry, checked(k.name, &k.source(&variant)))),
+        plain
+            .chain(rich)
+            .chain(blocks)
+            .chain(settling)
+            .map(|(k, variant)| (k.name, k.entry, checked(k.name, &k.source(&variant)))),
     );
     let reported = table(README, "The pipeline", &KERNELS.map(|k| k.name));
     assert_same(&reported, &there);

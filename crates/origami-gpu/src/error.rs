@@ -61,6 +61,17 @@ pub enum GpuError {
         /// How many are allowed.
         allowed: u64,
     },
+    /// The exact test has found a state of contact that goes through itself.
+    #[error(
+        "after {step} evaluations under contact faces {} and {} cross, which f32 has not kept apart (expected a larger gap, or \
+         the same solver on the CPU)", faces[0], faces[1]
+    )]
+    Crossed {
+        /// Evaluations up to that state.
+        step: u64,
+        /// Two faces that cross, by their numbers.
+        faces: [u32; 2],
+    },
     /// It cannot be opened, or its driver does not do what it was asked for.
     #[error("the GPU refused: {0}")]
     Refused(String),

@@ -1,13 +1,28 @@
 //! What a sheet's pipelines hold and do without.
 
+use origami_core::contact::Contact;
 use origami_core::model::{Built, Inventory, LeftOut, Model};
 
 use crate::device::Abilities;
 use crate::plan::Plan;
-use crate::purpose::Purpose;
+use crate::purpose::{Dispatch, Purpose};
 use crate::route::Route;
 use crate::sheet_arrays::SheetArrays;
 use crate::variant::Scheme;
+
+/// The same of a sheet under contact, which goes by passes.
+pub(crate) fn in_contact(model: &Model, mut inventory: Inventory, contact: Contact) -> Inventory {
+    let purpose = Purpose { scheme: Scheme::Relax, safe: false, softens: false, dispatch: Dispatch::Passes };
+    // Neither has a say in passes.
+    let abilities = Abilities { hardware: false, workgroup_storage: 0 };
+    inventory = of(model, inventory, purpose, abilities);
+    // What FIRE moves by itself is moved here by what layers leave of it.
+    inventory.built.push(Built { what: "passes over pairs that may touch", count: 2 });
+    if contact.thickness == 0.0 {
+        inventory.left_out.push(LeftOut { what: "thickness of pairs", count: 0, why: "the paper has none" });
+    }
+    inventory
+}
 
 /// The model's inventory `inventory`, and what the GPU's pipelines add to it.
 pub(crate) fn of(model: &Model, mut inventory: Inventory, purpose: Purpose, abilities: Abilities) -> Inventory {

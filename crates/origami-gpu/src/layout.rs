@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
+use origami_core::contact::ListedPair;
 use origami_core::scene::Axes;
 use origami_core::twins::settle_decide::{LEAST, SHORTEST, WINDOWS};
 
@@ -14,6 +15,9 @@ pub(crate) const NONE: u32 = u32::MAX;
 /// Why an instance stands still.
 pub(crate) const SETTLED: u32 = 1;
 pub(crate) const LIMITED: u32 = 3;
+/// Under contact: its list of pairs is spent, or layers have held it up for too long.
+pub(crate) const SPENT: u32 = 4;
+pub(crate) const HELD_UP: u32 = 5;
 
 /// A node: its position is `high * QUANTUM + low`.
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
@@ -216,10 +220,57 @@ pub(crate) struct Before {
     pub(crate) unused_as_well: f32,
 }
 
+/// A point and a triangle, or two edges, that may touch.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct Pair {
+    pub(crate) nodes: [u32; 4],
+    pub(crate) slots: [u32; 4],
+    pub(crate) split: u32,
+    pub(crate) closed: f32,
+    pub(crate) width: f32,
+    pub(crate) eased: f32,
+}
+
+impl From<&ListedPair> for Pair {
+    #[expect(clippy::cast_possible_truncation, reason = "to the nearest, and 1 or 2")]
+    fn from(pair: &ListedPair) -> Self {
+        Self {
+            nodes: pair.nodes.map(|node| node.0),
+            slots: [0; 4],
+            split: pair.split as u32,
+            closed: pair.closed as f32,
+            width: pair.width as f32,
+            eased: pair.eased as f32,
+        }
+    }
+}
+
+/// What a node under contact is about to do.
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct Move {
+    pub(crate) by: [f32; 3],
+    pub(crate) springs: f32,
+}
+
+/// What contact does on the way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct Touch {
+    pub(crate) limited_now: u32,
+    pub(crate) spent: u32,
+    pub(crate) limited: u32,
+    pub(crate) last_limited: u32,
+    pub(crate) first_limited: u32,
+    pub(crate) arrived: u32,
+    pub(crate) lasts: f32,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernels::{Kernel, loose_beams, row_sums, settle_windows, triangle_forces};
+    use crate::kernels::{Kernel, contact_move, loose_beams, pair_limits, row_sums, settle_windows, triangle_forces};
     use crate::shader_checks::{Checked, checked, same_layout};
     use crate::testing::variants;
 
@@ -286,6 +337,11 @@ mod tests {
         same_layout!(&loose, LooseBeam { nodes, slots, rest_high, rest_low, rigidity });
         let windows = shader(&settle_windows::KERNEL);
         same_layout!(&windows, Before { high, unused, low, unused_too, force, unused_as_well });
+        let limits = shader(&pair_limits::KERNEL);
+        same_layout!(&limits, Pair { nodes, slots, split, closed, width, eased });
+        same_layout!(&limits, Move { by, springs });
+        let moved = shader(&contact_move::KERNEL);
+        same_layout!(&moved, Touch { limited_now, spent, limited, last_limited, first_limited, arrived, lasts });
     }
 
     /// Bytes of the control block as a text tells them.
@@ -309,6 +365,8 @@ mod tests {
             ("NONE: u32", format!("{NONE:#x}u")),
             ("SETTLED: u32", format!("{SETTLED}u")),
             ("LIMITED: u32", format!("{LIMITED}u")),
+            ("SPENT: u32", format!("{SPENT}u")),
+            ("HELD_UP: u32", format!("{HELD_UP}u")),
             ("ALONE: u32", format!("{ALONE:#x}u")),
             ("RIGHT: u32", format!("{RIGHT:#x}u")),
             ("CREASE: u32", format!("{CREASE:#x}u")),

@@ -34,6 +34,7 @@
 //! - [`OnGpu`] is the solver, [`OnModel`] the same with one model's buffers kept, for more than one fold.
 //! - [`GpuEngine`] is what an [`origami_core::Simulation`] of `gpu.with(..)` runs on; [`Gpu::from_device`] shares a device of the
 //!   caller's, who can read the positions where they lie ([`PositionsBuffer`]).
+//! - [`ContactOnGpu`] folds sheets that cannot go through themselves.
 //! - [`PaperDynamics`] is the paper's own five passes, the readable baseline.
 //! - [`Traffic`] counts the bytes that a step moves.
 //! - [`GpuError`] says what the adapter lacks or refused.
@@ -49,6 +50,7 @@ mod adapter;
 mod blocks;
 #[cfg(test)]
 mod buffer_table;
+mod contact;
 mod device;
 mod dynamics;
 mod engine;
@@ -63,6 +65,7 @@ mod mapped;
 mod method;
 mod outcome;
 mod outside;
+mod pair_arrays;
 mod paper;
 mod pipeline;
 mod plan;
@@ -87,6 +90,7 @@ mod traffic;
 mod variant;
 
 pub use adapter::{AUTO_NODES, AUTO_NODES_MEASURED, AdapterChoice, AdapterKind, AdapterSummary, adapters};
+pub use contact::{ContactOnGpu, ContactOnModel};
 pub use device::Gpu;
 pub use error::{Details, GpuError};
 pub use limits::{AdapterLimits, Lack};

@@ -44,6 +44,10 @@ pub(crate) struct Pass {
     pipeline: wgpu::ComputePipeline,
     bind_group: wgpu::BindGroup,
     groups: u32,
+    /// Its buffers.
+    bindings: Vec<Binding>,
+    /// Of a pass over pairs, of which there may be more or fewer: invocations of a workgroup.
+    over_pairs: Option<u32>,
 }
 
 impl Pass {
@@ -69,20 +73,14 @@ impl Pass {
             cache: None,
         });
         let bindings = kernel.bindings(variant);
-        let entries: Vec<wgpu::BindGroupEntry<'_>> = bindings
-            .iter()
-            .map(|b| wgpu::BindGroupEntry { binding: *b as u32, resource: buffers[b].as_entire_binding() })
-            .collect();
-        let bind_group = gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(kernel.name),
-            layout: &pipeline.get_bind_group_layout(0),
-            entries: &entries,
-        });
+        let bind_group = bind_group(gpu, &pipeline, &bindings, buffers);
         let elements = match kernel.per {
             // A workgroup each.
             Per::Block => variant.sums() * variant.workgroup as usize,
             Per::Crease => variant.creases,
             Per::Face => variant.faces,
+            // As many as there are in the first list.
+            Per::Pair => 0,
             Per::LooseBeam => variant.loose_beams,
             Per::Node => variant.nodes,
             Per::NodeOrCrease => variant.nodes.max(variant.creases),
@@ -91,7 +89,20 @@ impl Pass {
         // Even a pass without elements may keep the time.
         #[expect(clippy::cast_possible_truncation, reason = "elements are counted in u32")]
         let groups = variant.groups(elements).max(1) as u32;
-        Self { pipeline, bind_group, groups }
+        let over_pairs = (kernel.per == Per::Pair).then_some(variant.workgroup);
+        Self { pipeline, bind_group, groups, bindings, over_pairs }
+    }
+
+    /// Binds it to other buffers.
+    pub(crate) fn rebind(&mut self, gpu: &Gpu, buffers: &Buffers) {
+        self.bind_group = bind_group(gpu, &self.pipeline, &self.bindings, buffers);
+    }
+
+    /// From now on there are so many pairs.
+    pub(crate) fn set_pairs(&mut self, pairs: u32) {
+        if let Some(workgroup) = self.over_pairs {
+            self.groups = pairs.div_ceil(workgroup).max(1);
+        }
     }
 
     /// Records one dispatch over `instances`.
@@ -100,6 +111,16 @@ impl Pass {
         pass.set_bind_group(0, &self.bind_group, &[]);
         pass.dispatch_workgroups(self.groups, instances, 1);
     }
+}
+
+fn bind_group(gpu: &Gpu, pipeline: &wgpu::ComputePipeline, bindings: &[Binding], buffers: &Buffers) -> wgpu::BindGroup {
+    let entry = |b: &Binding| wgpu::BindGroupEntry { binding: *b as u32, resource: buffers[b].as_entire_binding() };
+    let entries: Vec<wgpu::BindGroupEntry<'_>> = bindings.iter().map(entry).collect();
+    gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &entries,
+    })
 }
 
 /// Those of the constants that the text declares.

@@ -3,9 +3,10 @@
 use origami_core::twins;
 
 use crate::kernels::{
-    Kernel, block_clock, block_dynamics, block_forces, block_relax, bring_home, checkpoint, fire_move, fire_update,
-    fold_angles, integrate, loose_beams, reduce_forces, row_sums, safe_time_step, settle_decide, settle_windows,
-    state_bounds, stiffness_max, triangle_forces,
+    Kernel, block_clock, block_dynamics, block_forces, block_relax, bring_home, checkpoint, contact_aim, contact_clock,
+    contact_move, contact_reduce, fire_move, fire_update, fold_angles, integrate, loose_beams, pair_forces,
+    pair_limits, reduce_forces, row_sums, safe_time_step, settle_decide, settle_windows, state_bounds, stiffness_max,
+    triangle_forces,
 };
 use crate::variant::Variant;
 
@@ -73,6 +74,9 @@ impl Plan {
         if variant.loose_beams > 0 {
             forces.push(&loose_beams::KERNEL);
         }
+        if variant.contact.is_some() {
+            forces.push(&pair_forces::KERNEL);
+        }
         Self {
             angles: &[&fold_angles::KERNEL],
             forces,
@@ -82,9 +86,17 @@ impl Plan {
                 (false, true) => &[&row_sums::KERNEL, &stiffness_max::KERNEL, &safe_time_step::KERNEL],
                 (false, false) => &[],
             },
-            integration: match relaxing {
-                true => &[&reduce_forces::KERNEL, &fire_update::KERNEL, &fire_move::KERNEL],
-                false => &[&integrate::KERNEL],
+            integration: match (relaxing, variant.contact.is_some()) {
+                (true, true) => &[
+                    &contact_reduce::KERNEL,
+                    &fire_update::KERNEL,
+                    &contact_aim::KERNEL,
+                    &pair_limits::KERNEL,
+                    &contact_move::KERNEL,
+                    &contact_clock::KERNEL,
+                ],
+                (true, false) => &[&reduce_forces::KERNEL, &fire_update::KERNEL, &fire_move::KERNEL],
+                (false, _) => &[&integrate::KERNEL],
             },
             checkpoint: &[&state_bounds::KERNEL, &checkpoint::KERNEL],
             home: &[],

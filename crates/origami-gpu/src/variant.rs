@@ -1,5 +1,6 @@
 //! What a sheet's pipelines are specialised to: which parts they are put together from, and which numbers are constants.
 
+use origami_core::contact::list::constants as contact;
 use origami_core::forces::areas::THRESHOLD;
 use origami_core::model::{DEGENERATE, Material};
 use origami_core::twins::{checkpoint, fire_update, safe_time_step, settle_decide, state_bounds};
@@ -24,6 +25,18 @@ pub(crate) struct Small {
     pub(crate) words: usize,
     /// Steps between two renewals of the time step; 0 where it stays.
     pub(crate) renewal: u64,
+}
+
+/// What the kernels of a sheet are built for whose layers push each other away.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct InContact {
+    pub(crate) stiffness: f64,
+    /// Whether the paper has a thickness.
+    pub(crate) thick: bool,
+    /// The farthest that a node may move in one evaluation, in radii.
+    pub(crate) longest_move: f64,
+    /// Evaluations at the final targets for which it goes on while it is held up.
+    pub(crate) patience: u64,
 }
 
 /// Nodes from which a workgroup has 256 invocations instead of 64: fewer partial sums.
@@ -54,6 +67,8 @@ pub(crate) struct Variant {
     pub(crate) workgroup: u32,
     /// Of a sheet that one workgroup has.
     pub(crate) small: Small,
+    /// Of a sheet whose layers push each other away.
+    pub(crate) contact: Option<InContact>,
 }
 
 impl Variant {
@@ -76,6 +91,7 @@ impl Variant {
             blocks: None,
             workgroup: if arrays.nodes > LARGE { 256 } else { 64 },
             small: Small::default(),
+            contact: None,
         }
     }
 
@@ -135,7 +151,7 @@ impl Variant {
             Scheme::Relax => (false, false),
         };
         let room = self.blocks.unwrap_or_default().room;
-        vec![
+        let mut constants = vec![
             ("NODES", self.nodes as f64),
             ("CREASES", self.creases as f64),
             ("FACES", self.faces as f64),
@@ -184,6 +200,19 @@ impl Variant {
             ("SMALL_SHARE", settle_decide::SMALL_SHARE),
             ("LEAST_CHECKS", settle_decide::LEAST.div_ceil(settle_decide::SHORTEST) as f64),
             ("SHARE_OF_PAST", settle_decide::SHARE_OF_PAST),
-        ]
+        ];
+        if let Some(own) = self.contact {
+            constants.extend([
+                ("CONTACT_STIFFNESS", own.stiffness),
+                ("CONTACT_LONGEST", own.longest_move),
+                ("HELD_UP_AFTER", own.patience.min(u64::from(u32::MAX)) as f64),
+                ("RECENT", checkpoint::COPY_EVERY as f64),
+                ("PARALLEL", contact::PARALLEL),
+                ("NEARER", contact::NEARER),
+                ("WITHIN", contact::WITHIN),
+                ("USABLE", contact::USABLE),
+            ]);
+        }
+        constants
     }
 }

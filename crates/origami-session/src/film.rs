@@ -166,4 +166,18 @@ mod tests {
         // The test can fail: other states are elsewhere.
         assert!(apart(&states[1].state, &read[2]) > 0.01);
     }
+
+    #[test]
+    fn what_goes_back_is_counted_by_the_way() {
+        let pattern = BirdBase::default().pattern().expect("the default");
+        let model = Model::new(&pattern, &Material::default()).expect("a sheet");
+        let counted = |wanted: &[f64]| {
+            let states = fold_path(&model, &Relax::default(), wanted, &mut |_, progress| unwatched(progress));
+            percents(&states.expect("folds"))
+        };
+        assert_eq!(counted(&[0.0, 10.0, 40.0]), [0.0, 10.0, 40.0]);
+        assert_eq!(counted(&[20.0, 10.0]), [20.0, 10.0]);
+        assert_eq!(counted(&[0.0, 20.0, 10.0]), [0.0, 50.0, 100.0]);
+        assert_eq!(counted(&[10.0]), [10.0]);
+    }
 }

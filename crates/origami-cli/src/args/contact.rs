@@ -53,9 +53,9 @@ pub(crate) struct ContactArgs {
     /// Layers push each other away from a small gap on, and no move takes anything through anything: a sheet that begins
     /// without crossings has none at the end. Friction is left out. A sheet that contact keeps from its angles ends blocked,
     /// with exit code 3: the faces that press and the crease that is farthest from its angle are told, and another order
-    /// (--sequence) may help. With --solver relax, newton, which goes on from there to the equilibrium itself, or dynamics,
-    /// whose steps become as short as contact asks for; on the processor. Every state is tested as by --check. docs/CONTACT.md
-    /// says more.
+    /// (--sequence) may help. With --solver relax, on the processor or, where --backend gpu asks for it, on a GPU; newton,
+    /// which goes on from there to the equilibrium itself; or dynamics, whose steps become as short as contact asks for. Every
+    /// state is tested as by --check. docs/CONTACT.md says more.
     #[arg(long, conflicts_with = "from_flat")]
     pub(crate) contact: bool,
 
@@ -67,9 +67,9 @@ pub(crate) struct ContactArgs {
 
     /// How thick the paper is, in the file's unit [default: 0]
     ///
-    /// Layers come to lie so far from each other, measured between their middle planes; two faces that share a crease are a
-    /// wedge, which is as thick at their centroids and closes at the crease. The gap is a tenth of it unless another is asked
-    /// for. STL files have each face as a plate so thick.
+    /// Layers keep so far from each other, measured between their middle planes; two faces that share a crease are a wedge,
+    /// which is as thick at their centroids and closes at the crease. The gap is a tenth of it unless another is asked for. STL
+    /// files have each face as a plate so thick.
     /// Implies --contact.
     #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "from_flat")]
     pub(crate) thickness: Option<f64>,

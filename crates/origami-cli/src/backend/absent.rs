@@ -1,5 +1,7 @@
 //! A build without the feature `gpu`.
 
+use origami::solve::{ContactRelax, Touching};
+
 use super::{Computer, Method};
 use crate::args::BackendName;
 use crate::report::{AdapterDetails, By};
@@ -28,6 +30,11 @@ impl Backend {
     /// The processor, whatever the size.
     pub(crate) fn choose(&self, method: &Method, _nodes: usize) -> Computer {
         Computer::processor(method, self.0)
+    }
+
+    /// What folds under contact.
+    pub(crate) fn in_contact(&self, solver: ContactRelax) -> Box<dyn Touching> {
+        Box::new(solver)
     }
 
     /// No GPU.

@@ -9,7 +9,7 @@ use origami::gpu::render::GpuRenderer;
 use origami::gpu::{self, AUTO_NODES, AUTO_NODES_MEASURED, AdapterChoice, AdapterSummary, Gpu, GpuError};
 #[cfg(feature = "render")]
 use origami::picture::Renderer;
-use origami::solve::Solver;
+use origami::solve::{ContactRelax, Solver, Touching};
 
 use super::{Computer, Method};
 use crate::args::{BackendName, is_named};
@@ -65,6 +65,14 @@ impl Backend {
         }
     }
 
+    /// What folds under contact: the GPU only where it is asked for.
+    pub(crate) fn in_contact(&self, solver: ContactRelax) -> Box<dyn Touching> {
+        match self.open_if_wanted() {
+            Some(gpu) => Box::new(gpu.with_contact(solver)),
+            None => Box::new(solver),
+        }
+    }
+
     /// What draws on the GPU, or why it cannot; `None` without a GPU.
     #[cfg(feature = "render")]
     pub(crate) fn renderer(&self) -> Option<Result<Box<dyn Renderer>, String>> {
@@ -79,8 +87,11 @@ impl Backend {
     /// The GPU that studies repeat their runs on, if one is wanted.
     #[cfg(feature = "study")]
     pub(crate) fn studied(&self) -> origami::study::GpuChoice {
-        let wanted = (self.wanted == BackendName::Gpu).then(|| self.open().ok()).flatten();
-        wanted.map_or_else(Default::default, |gpu| origami::study::GpuChoice::new(gpu.clone()))
+        self.open_if_wanted().map_or_else(Default::default, |gpu| origami::study::GpuChoice::new(gpu.clone()))
+    }
+
+    fn open_if_wanted(&self) -> Option<&Gpu> {
+        (self.wanted == BackendName::Gpu).then(|| self.open().ok()).flatten()
     }
 
     fn open(&self) -> Result<&Gpu, &GpuError> {

@@ -98,6 +98,29 @@ mod present {
     }
 
     #[test]
+    fn contact_is_kept_on_a_gpu_where_it_is_asked_for() {
+        let place = Place::new();
+        let Some(_) = adapters(&place) else { return };
+        let ran = place.run("fold square.fold -o a.fold --report r.json --contact --frames 2 --backend gpu");
+        assert_eq!(ran.code, 0, "{}", ran.stderr);
+        let report = place.json("r.json");
+        assert_eq!((&report["backend"], &report["precision"]), (&json!("gpu"), &json!("f32")));
+        let frames = report["frames"].as_array().unwrap();
+        assert!(frames.len() > 1 && frames.iter().all(|frame| frame["crossings"]["count"] == json!(0)), "{report}");
+        let has =
+            |key: &str, what: &str| report[key].as_array().unwrap().iter().any(|line| line["what"] == json!(what));
+        assert!(has("built", "passes over pairs that may touch"), "{}", report["built"]);
+        assert!(has("left_out", "thickness of pairs"), "{}", report["left_out"]);
+        let words = "fold square.fold -o b.fold --backend gpu";
+        place.run(&format!("{words} --contact-gap 1e-6")).fails(1, "contact gap in radii: 1e-6; a GPU computes in f32");
+        place
+            .run(&format!("{words} --contact --sequence own"))
+            .fails(1, "--backend gpu: --sequence runs on the processor");
+        place.run("fold square.fold --report r.json --contact --backend auto").succeeds();
+        assert_eq!(place.json("r.json")["backend"], json!("cpu"), "not by itself");
+    }
+
+    #[test]
     fn an_adapter_is_chosen_by_name_or_by_the_environment() {
         let place = Place::new();
         let Some(adapters) = adapters(&place) else { return };

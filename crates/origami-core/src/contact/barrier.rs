@@ -3,6 +3,9 @@
 
 use glam::DVec3;
 
+/// The curvature of a pair is bounded by that at this share of its gap.
+pub const NEARER: f64 = 0.7;
+
 /// The energy of a gap, or one of its derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Barrier {

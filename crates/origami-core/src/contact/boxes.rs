@@ -1,5 +1,7 @@
 //! Boxes around things, in a tree: which of them may meet something is found without looking at all.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 /// Things in a leaf of the tree.
@@ -110,17 +112,26 @@ impl BoxTree {
         self.near_from(0, own, visit);
     }
 
-    /// Tells `visit` all pairs of things of leaves that meet the box of a thing grown by so much: all pairs that meet so
-    /// themselves, once each, and some more.
-    pub(super) fn near_each_other(&self, boxes: &[Bounds], by: f64, mut visit: impl FnMut([usize; 2])) {
-        for (at, node) in self.nodes.iter().enumerate() {
+    /// How many parts there are: leaves and what is above them.
+    pub(super) fn parts(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Tells `visit` all pairs of things whose boxes meet, once each, and some more. Only those of which the first is in one of
+    /// these parts.
+    pub(super) fn near_each_other(&self, parts: Range<usize>, mut visit: impl FnMut([usize; 2])) {
+        for at in parts {
+            let node = &self.nodes[at];
             let [from, to] = node.things.map(|i| i as usize);
-            for i in from..to {
-                let own = self.things[i] as usize;
-                let grown = boxes[own].grown(by);
-                self.things[i + 1..to].iter().for_each(|other| visit([own, *other as usize]));
+            let own = &self.things[from..to];
+            for (i, first) in own.iter().enumerate() {
+                own[i + 1..].iter().for_each(|second| visit([*first as usize, *second as usize]));
+            }
+            if !own.is_empty() {
                 // What lies before has met it already.
-                self.near_from(at + 1, &grown, |other| visit([own, other]));
+                self.near_from(at + 1, &node.bounds, |second| {
+                    own.iter().for_each(|first| visit([*first as usize, second]));
+                });
             }
         }
     }
@@ -185,7 +196,10 @@ mod tests {
                 assert_eq!(by_moved, all);
             }
             let mut together = Vec::new();
-            tree.near_each_other(&boxes, 0.0, |[a, b]| together.push([a.min(b), a.max(b)]));
+            let half = tree.parts() / 2;
+            for parts in [0..half, half..tree.parts()] {
+                tree.near_each_other(parts, |[a, b]| together.push([a.min(b), a.max(b)]));
+            }
             together.retain(|[a, b]| boxes[*a].meets(&boxes[*b]));
             let pairs = together.len();
             together.sort_unstable();

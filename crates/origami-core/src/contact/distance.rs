@@ -4,7 +4,7 @@ use glam::DVec3;
 
 /// Edges whose directions enclose an angle of less sine squared than this are nearly parallel: where their lines are nearest
 /// is not known well then, and their ends are looked at too.
-pub(super) const PARALLEL: f64 = 1e-8;
+pub const PARALLEL: f64 = 1e-8;
 
 /// The two nearest points of two things.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -187,7 +187,6 @@ mod tests {
             // At their ends they are so much farther apart sideways.
             let Nearest { apart, .. } = of_edges(&edges);
             assert!((apart.length() - height).abs() < 1e-2 * height, "{tilt}: {apart}");
-            assert!(apart.z.abs() > 0.99 * apart.length(), "{tilt}: {apart}");
         }
     }
 }

@@ -1,33 +1,28 @@
 //! A sheet whose layers push each other away: forces at its positions, and how far it may move from there.
 
 mod closing;
+mod limits;
+mod listing;
+#[cfg(test)]
+mod tests;
 
 use glam::DVec3;
 
+use super::Contact;
 use super::barrier::Barrier;
-use super::limit::{FLOOR, Shares, limit_pair};
 use super::pairs::{Finder, Near, Pair, eased};
 use super::soon::Soon;
 use super::task::{self, All, Felt, Task};
-use super::{Contact, NEARER};
-use crate::ids::NodeId;
 use crate::mesh::Mesh;
 use crate::parallel;
+pub(super) use listing::{FEW, MANY, MOST_SKINS};
 
 /// Pairs are listed up to so much beyond the gap, as a share of the median edge.
-const SKIN: f64 = 0.1;
-/// Or up to so many times that where few are found there. More: lists last longer and are longer.
-const MOST_SKINS: f64 = 4.0;
-/// As many pairs for each node are few, and many.
-const FEW: usize = 4;
-const MANY: usize = 32;
+pub(super) const SKIN: f64 = 0.1;
 /// No node moves farther in one evaluation than this share of the skin, so that a new list has all that may close.
-const LONGEST: f64 = 0.2;
-/// A pair is looked at before a move if its gap, but for what is never used up of it, is below so many times what both of its
-/// things may move: half of it may be used up. What is not looked at could come below that.
-const WITHIN: f64 = 2.0;
-/// The pairs that may come near within about so many evaluations are kept apart from the others.
-const SOON: f64 = 16.0;
+pub(super) const LONGEST: f64 = 0.2;
+/// No pair that is not listed is nearer than the gap and this share of the skin when others are measured one by one.
+const SPARE: f64 = 0.5;
 /// Pairs that one task measures at least.
 const TASK: usize = 512;
 
@@ -71,7 +66,8 @@ pub(crate) struct Layers {
 impl Layers {
     /// Those of a sheet with its nodes at `rest`; `shared` out among the threads of the pool or not: equal bits.
     pub(crate) fn new(mesh: &Mesh, rest: &[DVec3], contact: Contact, shared: bool) -> Self {
-        let finder = Finder::new(mesh, rest, contact);
+        let mut finder = Finder::new(mesh, rest, contact);
+        finder.shared = shared;
         let skin = SKIN * finder.median_edge();
         Self {
             contact,
@@ -110,7 +106,8 @@ impl Layers {
 
     /// Measures all pairs that may push at these positions.
     pub(crate) fn measure(&mut self, positions: &[DVec3]) {
-        let bound = self.look_for_near(positions);
+        // Whoever measures may ask what comes near within a move.
+        let bound = self.look_for_near(positions, self.contact.gap + SPARE * self.skin);
         let Self { pairs, soon, wanted, measured, .. } = self;
         wanted.clear();
         wanted.extend((0..).zip(&soon.due).filter(|(_, due)| **due < bound).map(|(i, _)| i));
@@ -132,7 +129,7 @@ impl Layers {
     /// What each node feels of the pairs at these positions; empty where nothing pushes. It is what [`Layers::measure`] and
     /// [`Layers::add`] find out, but for rounding, in less time; no pair is known for [`Layers::pushing`] then.
     pub(crate) fn felt(&mut self, positions: &[DVec3]) -> &[Felt] {
-        let bound = self.look_for_near(positions);
+        let bound = self.look_for_near(positions, self.contact.gap);
         self.near.clear();
         self.pushing = 0;
         if self.soon.due.iter().all(|due| *due >= bound) {
@@ -160,57 +157,13 @@ impl Layers {
         }
     }
 
-    /// Sees to it that all pairs are known whose gap may be below the width of contact: they are due before the result.
-    fn look_for_near(&mut self, positions: &[DVec3]) -> f64 {
-        self.list_for(positions, 0.0);
+    /// Sees to it that all pairs are listed whose gap may be below that, and that all are known for which it may be below the
+    /// width of contact: they are due before the result.
+    fn look_for_near(&mut self, positions: &[DVec3], listed: f64) -> f64 {
+        self.list_for(positions, listed);
         let bound = self.contact.gap + 2.0 * self.way;
         self.look_ahead(bound);
         bound
-    }
-
-    /// Lists the pairs anew where nodes have moved so far that others may be nearer than the gap or than `distance`; true if so.
-    fn list_for(&mut self, positions: &[DVec3], distance: f64) -> bool {
-        let most = 0.5 * (self.room - (distance - self.contact.gap).max(0.0));
-        if !self.listed_at.is_empty() {
-            if self.way - self.listed_way <= most {
-                return false;
-            }
-            let moved = |(p, listed): (&DVec3, &DVec3)| (*p - *listed).length_squared();
-            let farthest = positions.iter().zip(&self.listed_at).map(moved).fold(0.0, f64::max).sqrt();
-            // They cannot be farther than that before the way is so much longer.
-            self.listed_way = self.way - farthest;
-            if farthest <= most {
-                return false;
-            }
-        }
-        self.list(positions);
-        true
-    }
-
-    /// Lists the pairs anew.
-    fn list(&mut self, positions: &[DVec3]) {
-        if !self.listed_at.is_empty() {
-            let listed = self.pairs.len();
-            if listed <= FEW * positions.len() {
-                self.room = (2.0 * self.room).min(MOST_SKINS * self.skin);
-            } else if listed > MANY * positions.len() {
-                self.room = (0.5 * self.room).max(self.skin);
-            }
-        }
-        let reach = self.contact.gap + self.room;
-        self.finder.find(positions, reach, &mut self.pairs, &mut self.gaps);
-        self.due.clear();
-        self.due.extend(self.gaps.iter().map(|gap| gap + 2.0 * self.way));
-        self.listed_at.clear();
-        self.listed_at.extend_from_slice(positions);
-        self.listed_way = self.way;
-        self.soon.forget();
-    }
-
-    /// Sees to it that all pairs that are due before `bound` are known.
-    fn look_ahead(&mut self, bound: f64) {
-        let later = (SOON * 2.0 * self.last).max(0.1 * self.contact.gap);
-        self.soon.look_ahead(bound, later, (&self.pairs, &mut self.due));
     }
 
     /// The pairs that push, as last measured.
@@ -248,12 +201,9 @@ impl Layers {
     /// Adds the forces at the positions last measured, by node, and a bound on the row sums of their stiffness to `sums`.
     pub(crate) fn add(&self, positions: &[DVec3], forces: &mut [DVec3], sums: &mut [f64]) {
         for (pair, near) in self.pushing() {
-            let (factor, gradient) = eased(pair, positions);
-            let Barrier { energy, slope, .. } = Barrier::of(near.gap, pair.width, self.contact.stiffness);
-            let curvature = Barrier::of(NEARER * near.gap, pair.width, self.contact.stiffness).curvature;
-            for ((node, weight), of_factor) in pair.nodes.iter().zip(near.weights).zip(gradient) {
-                forces[node.index()] -= factor * slope * weight * near.normal + energy * of_factor;
-                sums[node.index()] += 2.0 * factor * curvature * weight.abs();
+            for (node, (force, sum)) in pair.nodes.iter().zip(pair.push(near, positions, self.contact.stiffness)) {
+                forces[node.index()] += force;
+                sums[node.index()] += sum;
             }
         }
     }
@@ -266,174 +216,9 @@ impl Layers {
         })
     }
 
-    /// Shortens moves from the positions last measured so that nothing goes through anything: no node beyond a plane between
-    /// the nearest points of a pair. Moves that are in no pair's way stay whole. The result has the share of each move that is
-    /// left, by node; all 1 where nothing was in the way.
-    pub(crate) fn limit(&mut self, positions: &[DVec3], moves: &[DVec3]) -> &[f64] {
-        self.lengths.clear();
-        self.lengths.extend(moves.iter().map(|by| by.length()));
-        self.shares.clear();
-        self.shares.resize(moves.len(), 1.0);
-        let largest = self.lengths.iter().copied().fold(0.0, f64::max);
-        let bound = self.look_for_limits(positions, largest);
-        let Self { pairs, lengths, shares, soon, way, .. } = self;
-        let most = |nodes: &[NodeId]| nodes.iter().map(|n| lengths[n.index()]).fold(0.0, f64::max);
-        for (brief, due) in soon.pairs.iter().zip(&mut soon.due) {
-            if *due >= bound {
-                continue;
-            }
-            let pair = &pairs[brief.number as usize];
-            let (first, second) = pair.nodes.split_at(pair.split);
-            let within = WITHIN * (most(first) + most(second)) + FLOOR * pair.width;
-            if *due - 2.0 * *way < within {
-                let near = pair.near(brief.number, positions);
-                *due = near.gap + 2.0 * *way;
-                if near.gap < within {
-                    limit_pair(pair, &near, (positions, moves), Shares(shares));
-                }
-            }
-        }
-        &self.shares
-    }
-
-    /// Whether some pair may be in the way of moves no longer than this, in radii, from the positions last measured.
-    pub(crate) fn in_the_way(&mut self, positions: &[DVec3], largest: f64) -> bool {
-        let bound = self.look_for_limits(positions, largest);
-        self.soon.due.iter().any(|due| *due < bound)
-    }
-
-    /// Sees to it that all pairs are known that may be in the way of moves no longer than this: they are due before the result.
-    fn look_for_limits(&mut self, positions: &[DVec3], largest: f64) -> f64 {
-        self.look_for_near_within(positions, 2.0 * WITHIN * largest + FLOOR * self.contact.gap)
-    }
-
-    /// Sees to it that all pairs are known whose gap may be below `within`: they are due before the result.
-    fn look_for_near_within(&mut self, positions: &[DVec3], within: f64) -> f64 {
-        let known = !self.near.is_empty();
-        if self.list_for(positions, within) && known {
-            // They have other places in the list.
-            self.measure(positions);
-        }
-        let bound = within + 2.0 * self.way;
-        self.look_ahead(bound);
-        bound
-    }
-
     /// Takes note that no node moved farther than this, in radii.
     pub(crate) fn moved(&mut self, largest: f64) {
         self.way += largest;
         self.last = largest;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::contact::Crossings;
-    use crate::generate::catalog;
-    use crate::model::{Material, Model};
-
-    fn model(name: &str) -> Model {
-        Model::new(&catalog::generate(name, &[]).expect("a pattern"), &Material::default()).expect("a model")
-    }
-
-    /// Numbers from -1 to 1, by a fixed sequence.
-    fn noise(seed: u64) -> impl FnMut() -> f64 {
-        let mut state = seed;
-        move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            f64::from(u32::try_from(state >> 32).expect("32 bits")) / f64::from(1_u32 << 31) - 1.0
-        }
-    }
-
-    /// A sheet crumpled at random, whose layers are near each other in every way.
-    fn crumpled(name: &str, gap: f64) -> (Vec<DVec3>, Layers) {
-        let model = model(name);
-        let mut next = noise(3);
-        let positions: Vec<DVec3> = model.rest.iter().map(|p| *p + 0.4 * DVec3::new(next(), next(), next())).collect();
-        let mut layers = Layers::new(&model.mesh, &model.rest, Contact { gap, ..Contact::default() }, true);
-        layers.measure(&positions);
-        (positions, layers)
-    }
-
-    #[test]
-    fn forces_are_the_gradient_of_the_energy_in_every_region() {
-        let (mut corners, mut insides) = (0, 0);
-        for name in ["square-twist", "waterbomb", "miura"] {
-            let (positions, mut layers) = crumpled(name, 0.1);
-            let (mut forces, mut sums) = (vec![DVec3::ZERO; positions.len()], vec![0.0; positions.len()]);
-            layers.add(&positions, &mut forces, &mut sums);
-            for (_, near) in layers.pushing() {
-                let zeros = near.weights.iter().filter(|weight| **weight == 0.0).count();
-                corners += usize::from(zeros > 0);
-                insides += usize::from(zeros == 0);
-            }
-            let size = forces.iter().map(|f| f.length()).fold(0.0, f64::max);
-            assert!(size > 0.0);
-            for node in 0..positions.len() {
-                for axis in 0..3 {
-                    let mut at = |h: f64| {
-                        let mut moved = positions.clone();
-                        moved[node][axis] += h;
-                        layers.measure(&moved);
-                        layers.energy(&moved)
-                    };
-                    // Of fourth order: gaps are as small as a hundred steps.
-                    let h = 1e-7;
-                    let slope = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
-                    let error = (slope + forces[node][axis]).abs() / size;
-                    assert!(error < 1e-7, "{name}, node {node}: {slope}, force {}", forces[node][axis]);
-                }
-            }
-        }
-        assert!(corners > 20 && insides > 20, "{corners} {insides}");
-    }
-
-    #[test]
-    fn contact_has_no_momentum_and_no_moment() {
-        let (positions, layers) = crumpled("waterbomb", 0.1);
-        let (mut forces, mut sums) = (vec![DVec3::ZERO; positions.len()], vec![0.0; positions.len()]);
-        layers.add(&positions, &mut forces, &mut sums);
-        let size: f64 = forces.iter().map(|f| f.length()).sum();
-        let sum: DVec3 = forces.iter().sum();
-        let moment: DVec3 = positions.iter().zip(&forces).map(|(p, f)| p.cross(*f)).sum();
-        assert!(sum.length() < 1e-13 * size && moment.length() < 1e-12 * size, "{sum} {moment} of {size}");
-        assert!(sums.iter().any(|sum| *sum > 0.0) && sums.iter().all(|sum| *sum >= 0.0));
-    }
-
-    /// A walk of random moves from a flat sheet, shortened or not: the steps after which it is crossed.
-    fn walk(name: &str, seed: u64, shortened: bool) -> usize {
-        let model = model(name);
-        let mut layers = Layers::new(&model.mesh, &model.rest, Contact::default(), false);
-        let (mut next, mut positions, mut crossed) = (noise(seed), model.rest.clone(), 0);
-        let mut drift: Vec<DVec3> = positions.iter().map(|_| DVec3::new(next(), next(), next())).collect();
-        for step in 0..150 {
-            if step % 40 == 39 {
-                drift.iter_mut().for_each(|by| *by = DVec3::new(next(), next(), next()));
-            }
-            let longest = layers.longest_move();
-            let moves: Vec<DVec3> = drift.iter().map(|by| *by * (longest / 1.8)).collect();
-            layers.measure(&positions);
-            let shares = layers.limit(&positions, &moves).to_vec();
-            let mut largest = 0.0_f64;
-            for ((p, by), share) in positions.iter_mut().zip(&moves).zip(shares) {
-                let by = *by * if shortened { share } else { 1.0 };
-                *p += by;
-                largest = largest.max(by.length());
-            }
-            layers.moved(largest);
-            crossed += usize::from(!Crossings::of(&model.mesh, &positions).is_empty());
-        }
-        crossed
-    }
-
-    #[test]
-    fn shortened_moves_never_cross_and_whole_ones_do() {
-        for name in ["bird-base", "square-twist", "miura"] {
-            for seed in 1..4 {
-                assert_eq!(walk(name, seed, true), 0, "{name}, seed {seed}");
-            }
-            assert!(walk(name, 1, false) > 50, "{name}: whole moves cross");
-        }
     }
 }

@@ -5,6 +5,7 @@
 //!
 //! [`Contact`] is what [`crate::solve::ContactRelax`] folds with: layers push each other away from a small gap on, and no move
 //! takes anything through anything. `docs/CONTACT.md` in the repository says what that means and what it does not.
+//! [`PairList`] is for those who compute contact elsewhere, as on a GPU.
 
 mod barrier;
 mod boxes;
@@ -15,6 +16,8 @@ pub(crate) mod hessian;
 mod lanes;
 mod layers;
 mod limit;
+#[doc(hidden)]
+pub mod list;
 mod pairs;
 mod pressing;
 mod settings;
@@ -24,11 +27,9 @@ mod task;
 mod wedge;
 
 pub use crossings::{Crossing, Crossings};
+pub use list::{ListedPair, PairList};
 pub use pressing::Pressing;
 pub use settings::Contact;
-
-/// The curvature of a pair is bounded by that at this share of its gap.
-const NEARER: f64 = 0.7;
 
 pub(crate) use layers::Layers;
 pub(crate) use pressing::pressing;

@@ -3,16 +3,19 @@
 //! Pairs with a common node are left out: two triangles that share a corner or a side can only meet where a side of one meets
 //! the other with which it has no node in common, so that such a pair has closed its gap before.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use super::Contact;
-use super::barrier::mollifier;
+use super::barrier::{Barrier, NEARER, mollifier};
 use super::boxes::{Bounds, BoxTree};
 use super::distance::{Nearest, of_edges, of_point_and_triangle};
 use super::sieve::{Candidate, Sieve};
 use super::wedge::{THICKEST, Wedges};
 use crate::ids::NodeId;
 use crate::mesh::{Mesh, Side};
+use crate::parallel;
 
 /// Pairs come no nearer than their gap begins at this share of their distance in the flat sheet: there nothing presses.
 const OF_REST: f64 = 0.9;
@@ -73,14 +76,44 @@ impl Pair {
     }
 }
 
+impl Pair {
+    /// The force on each of its nodes as it is measured, and a bound on the row sum of its stiffness.
+    pub(super) fn push(&self, near: &Near, positions: &[DVec3], stiffness: f64) -> [(DVec3, f64); 4] {
+        let (factor, gradient) = eased(self, positions);
+        let Barrier { energy, slope, .. } = Barrier::of(near.gap, self.width, stiffness);
+        let curvature = Barrier::of(NEARER * near.gap, self.width, stiffness).curvature;
+        std::array::from_fn(|i| {
+            let weight = near.weights[i];
+            let force = -(factor * slope * weight * near.normal + energy * gradient[i]);
+            (force, 2.0 * factor * curvature * weight.abs())
+        })
+    }
+}
+
 /// The factor by which a pair at these positions pushes less, with its gradient by the four points.
 pub(super) fn eased(pair: &Pair, positions: &[DVec3]) -> (f64, [DVec3; 4]) {
     if pair.split == 2 { mollifier(&pair.points(positions), pair.eased) } else { (1.0, [DVec3::ZERO; 4]) }
 }
 
+/// Points, or parts of a tree, that one task looks at.
+const PART: usize = 256;
+
+/// Where pairs are looked for.
+struct At<'a> {
+    positions: &'a [DVec3],
+    reach: f64,
+    triangles: Vec<Bounds>,
+    /// Grown by half of how far apart edges may be.
+    edges: Vec<Bounds>,
+    tree_of_triangles: BoxTree,
+    tree_of_edges: BoxTree,
+}
+
 /// Finds the pairs of one sheet.
 #[derive(Clone, Debug)]
 pub(super) struct Finder {
+    /// Whether many threads look for them: they find the same in the same order.
+    pub(super) shared: bool,
     /// Nodes of triangles.
     points: Vec<NodeId>,
     triangles: Vec<[NodeId; 3]>,
@@ -111,6 +144,7 @@ impl Finder {
         let wedges = (closed > 0.0).then(|| Wedges::new(mesh, rest, &paper, closed));
         let edges: Vec<[NodeId; 2]> = paper.iter().map(|side| side.nodes).collect();
         Self {
+            shared: false,
             points: points.map(NodeId::new).collect(),
             tree_of_triangles: BoxTree::new(&boxes(&mesh.triangles, rest)),
             tree_of_edges: BoxTree::new(&boxes(&edges, rest)),
@@ -137,39 +171,74 @@ impl Finder {
     pub(super) fn find(&self, positions: &[DVec3], reach: f64, pairs: &mut Vec<Pair>, gaps: &mut Vec<f64>) {
         pairs.clear();
         gaps.clear();
-        let farthest = reach + self.thickest;
-        let mut found = |Candidate { nodes, numbers }: Candidate, split: usize, distance: f64| {
+        let triangles = boxes(&self.triangles, positions);
+        // Boxes that are so much larger meet where edges may be within reach.
+        let half = 0.5 * (reach + self.thickest);
+        let edges: Vec<Bounds> = boxes(&self.edges, positions).into_iter().map(|own| own.grown(half)).collect();
+        let at = At {
+            positions,
+            reach,
+            tree_of_triangles: self.tree_of_triangles.moved(&triangles),
+            tree_of_edges: self.tree_of_edges.moved(&edges),
+            triangles,
+            edges,
+        };
+        let cut = |all: usize| (0..all).step_by(PART).map(move |from| from..all.min(from + PART));
+        let points = cut(self.points.len()).map(|part| (1, part));
+        let edges = cut(at.tree_of_edges.parts()).map(|part| (2, part));
+        if self.shared {
+            let parts: Vec<(usize, Range<usize>)> = points.chain(edges).collect();
+            let found = parallel::map(&parts, |_, (split, part)| {
+                let (mut pairs, mut gaps) = (Vec::new(), Vec::new());
+                self.find_part(&at, *split, part.clone(), &mut |pair, gap| {
+                    pairs.push(pair);
+                    gaps.push(gap);
+                });
+                (pairs, gaps)
+            });
+            for (own_pairs, own_gaps) in found {
+                pairs.extend(own_pairs);
+                gaps.extend(own_gaps);
+            }
+        } else {
+            for (split, part) in points.chain(edges) {
+                self.find_part(&at, split, part, &mut |pair, gap| {
+                    pairs.push(pair);
+                    gaps.push(gap);
+                });
+            }
+        }
+    }
+
+    /// Finds the pairs of some points, or of edges in some parts of their tree.
+    fn find_part(&self, at: &At<'_>, split: usize, part: Range<usize>, take: &mut impl FnMut(Pair, f64)) {
+        let farthest = at.reach + self.thickest;
+        let mut found = |Candidate { nodes, numbers }: Candidate, distance: f64| {
             let mut pair = Pair::unmeasured(nodes, split);
-            if self.measure(&mut pair, numbers) && distance - pair.closed < reach {
-                pairs.push(pair);
-                gaps.push(distance - pair.closed);
+            if self.measure(&mut pair, numbers) && distance - pair.closed < at.reach {
+                take(pair, distance - pair.closed);
             }
         };
-        let boxed = boxes(&self.triangles, positions);
-        let tree = self.tree_of_triangles.moved(&boxed);
-        let mut sieve = Sieve::new(false, positions, farthest);
-        let mut take = |candidate, distance| found(candidate, 1, distance);
-        for &point in &self.points {
-            let own = Bounds::around([positions[point.index()]]).grown(farthest);
-            tree.near(&own, |triangle| {
-                let [a, b, c] = self.triangles[triangle];
-                if boxed[triangle].meets(&own) && ![a, b, c].contains(&point) {
-                    sieve.take(Candidate { nodes: [point, a, b, c], numbers: [0, triangle] }, &mut take);
+        let mut sieve = Sieve::new(split == 2, at.positions, farthest);
+        if split == 1 {
+            for &point in &self.points[part] {
+                let own = Bounds::around([at.positions[point.index()]]).grown(farthest);
+                at.tree_of_triangles.near(&own, |triangle| {
+                    let [a, b, c] = self.triangles[triangle];
+                    if at.triangles[triangle].meets(&own) && ![a, b, c].contains(&point) {
+                        sieve.take(Candidate { nodes: [point, a, b, c], numbers: [0, triangle] }, &mut found);
+                    }
+                });
+            }
+        } else {
+            at.tree_of_edges.near_each_other(part, |[first, second]| {
+                let ([p, q], [r, s]) = (self.edges[first], self.edges[second]);
+                if at.edges[first].meets(&at.edges[second]) && ![r, s].contains(&p) && ![r, s].contains(&q) {
+                    sieve.take(Candidate { nodes: [p, q, r, s], numbers: [first, second] }, &mut found);
                 }
             });
         }
-        sieve.sift(&mut take);
-        let boxed = boxes(&self.edges, positions);
-        let tree = self.tree_of_edges.moved(&boxed);
-        let mut sieve = Sieve::new(true, positions, farthest);
-        let mut take = |candidate, distance| found(candidate, 2, distance);
-        tree.near_each_other(&boxed, farthest, |[first, second]| {
-            let ([p, q], [r, s]) = (self.edges[first], self.edges[second]);
-            if boxed[second].meets(&boxed[first].grown(farthest)) && ![r, s].contains(&p) && ![r, s].contains(&q) {
-                sieve.take(Candidate { nodes: [p, q, r, s], numbers: [first, second] }, &mut take);
-            }
-        });
-        sieve.sift(&mut take);
+        sieve.sift(&mut found);
     }
 
     /// The gap and the thickness of a pair: less where it is narrow in the flat sheet. `numbers` are those of the triangle, or

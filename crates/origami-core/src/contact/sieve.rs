@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 
-use super::distance::PARALLEL;
+use super::distance::of_edges;
 use super::lanes::{Given, Measured, WIDTH, measure_edges, measure_points};
-use super::pairs::Pair;
 use crate::ids::NodeId;
 
 /// A point and a triangle, or two edges, by their nodes and by the number of the triangle or of both edges.
@@ -43,10 +42,9 @@ impl<'a> Sieve<'a> {
     pub(super) fn sift(&mut self, found: &mut impl FnMut(Candidate, f64)) {
         pulp::Arch::new().dispatch(Work(self));
         for (i, candidate) in self.waiting.drain(..).enumerate() {
-            let parallel = self.edges && !(self.measured.sine[i] > PARALLEL);
+            let parallel = self.edges && self.measured.is_parallel(i);
             let distance = if parallel {
-                let pair = Pair::unmeasured(candidate.nodes, 2);
-                pair.nearest(&pair.points(self.positions)).apart.length()
+                of_edges(&candidate.nodes.map(|n| self.positions[n.index()])).apart.length()
             } else {
                 self.measured.gap[i]
             };

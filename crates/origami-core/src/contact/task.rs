@@ -2,18 +2,17 @@
 
 use glam::DVec3;
 
-use super::barrier::Barrier;
-use super::distance::PARALLEL;
+use super::Contact;
 use super::lanes::{Given, Measured, Push, WIDTH, measure_edges, measure_points, push};
-use super::pairs::{Pair, eased};
+use super::pairs::Pair;
 use super::soon::{Brief, Soon};
-use super::{Contact, NEARER};
 use crate::ids::NodeId;
 use crate::parallel;
 
-/// Pairs that are worth a task of their own.
-const PAIRS: usize = 2048;
-/// More tasks are never made: each has forces of all nodes.
+/// Pairs that are worth a task of their own, and how many for each node: each task has forces of all nodes.
+const PAIRS: usize = 512;
+const PAIRS_OF_NODE: usize = 2;
+/// More tasks are never made.
 const MOST: usize = 8;
 
 /// What a node feels of contact: the force, and the bound on the row sum of its stiffness.
@@ -82,7 +81,7 @@ impl Task {
         }
         for i in 0..count {
             let mut gap = self.measured.gap[i];
-            if edges && !(self.measured.sine[i] > PARALLEL) {
+            if edges && self.measured.is_parallel(i) {
                 gap = self.plainly(&pairs[own[i]], all);
             } else if gap < self.given.width[i] {
                 self.pushing += 1;
@@ -122,14 +121,10 @@ impl Task {
         let near = pair.near(brief.number, all.positions);
         if near.gap < pair.width {
             self.pushing += 1;
-            let stiffness = all.contact.stiffness;
-            let (factor, gradient) = eased(pair, all.positions);
-            let Barrier { energy, slope, .. } = Barrier::of(near.gap, pair.width, stiffness);
-            let curvature = Barrier::of(NEARER * near.gap, pair.width, stiffness).curvature;
-            for ((node, weight), of_factor) in pair.nodes.iter().zip(near.weights).zip(gradient) {
-                let DVec3 { x, y, z } = factor * slope * weight * near.normal + energy * of_factor;
+            let pushes = pair.push(&near, all.positions, all.contact.stiffness);
+            for (node, (force, sum)) in pair.nodes.iter().zip(pushes) {
                 let own = &mut self.felt[node.index()];
-                *own = [own[0] - x, own[1] - y, own[2] - z, own[3] + 2.0 * factor * curvature * weight.abs()];
+                *own = [own[0] + force.x, own[1] + force.y, own[2] + force.z, own[3] + sum];
             }
         }
         near.gap
@@ -180,7 +175,8 @@ impl pulp::NullaryFnOnce for Work<'_, '_> {
 /// Measures the pairs that are due, in as many tasks as they are worth, and lets them push; by several threads or not. How
 /// many tasks there are does not depend on threads, and neither does any sum.
 pub(super) fn run(tasks: &mut Vec<Task>, all: &All<'_>, soon: &mut Soon, shared: bool) {
-    let count = (soon.pairs.len() / PAIRS).clamp(1, MOST);
+    let worth = PAIRS.max(PAIRS_OF_NODE * all.positions.len());
+    let count = (soon.pairs.len() / worth).clamp(1, MOST);
     tasks.resize_with(count, Task::new);
     let each = soon.pairs.len().div_ceil(count);
     let part = Part { pairs: &soon.pairs, points: soon.points, due: &mut soon.due };

@@ -71,6 +71,13 @@ impl<R: Compute> Kernel<R> {
         [&self.forces, &self.velocities].map(|list| R::vector(list[node.index()]))
     }
 
+    /// Writes the forces on the nodes of a relaxation, as the last [`Kernel::reduce_forces`] has them.
+    pub(crate) fn read_forces(&self, forces: &mut [DVec3]) {
+        for (force, quad) in forces.iter_mut().zip(&self.forces) {
+            *force = R::vector(*quad);
+        }
+    }
+
     /// Moves a node, and makes it faster.
     pub(crate) fn shift(&mut self, node: NodeId, moved: DVec3, faster: DVec3) {
         let (position, velocity) = (&mut self.positions[node.index()], &mut self.velocities[node.index()]);

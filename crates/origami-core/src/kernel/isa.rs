@@ -4,6 +4,8 @@ use std::marker::PhantomData;
 
 use super::lane::GatherScatter;
 use super::lanes::portable::{FUSES, Portable};
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+use super::lanes::simd128::Twice2;
 #[cfg(target_arch = "x86_64")]
 use super::lanes::x86::{D4, D8, S8, S16};
 use super::real::Real;
@@ -23,6 +25,9 @@ pub(crate) enum Isa {
     /// The same, and what is done is counted.
     #[cfg(test)]
     Counting,
+    /// WebAssembly's vectors.
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    Simd128,
     /// AVX2 with FMA.
     #[cfg(target_arch = "x86_64")]
     Avx2(V3),
@@ -37,6 +42,8 @@ impl Isa {
         let all = std::iter::once(Self::Portable);
         #[cfg(test)]
         let all = [Self::PortableFused, Self::Counting].into_iter().chain(all);
+        #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+        let all = all.chain([Self::Simd128]);
         #[cfg(target_arch = "x86_64")]
         let all = all.chain(V3::try_new().map(Self::Avx2)).chain(V4::try_new().map(Self::Avx512));
         all.collect()
@@ -50,6 +57,8 @@ impl Isa {
             Self::PortableFused => "portable, fused",
             #[cfg(test)]
             Self::Counting => "counting",
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            Self::Simd128 => "simd128",
             #[cfg(target_arch = "x86_64")]
             Self::Avx2(_) => "AVX2",
             #[cfg(target_arch = "x86_64")]
@@ -91,13 +100,15 @@ impl<L: GatherScatter, P: Pass<L::Real>> pulp::NullaryFnOnce for With<L, P> {
 }
 
 macro_rules! compute {
-    ($real:ident, $avx2:ident x $four:literal, $avx512:ident x $eight:literal) => {
+    ($real:ident, $avx2:ident x $four:literal, $avx512:ident x $eight:literal, $simd128:expr) => {
         impl Compute for $real {
             fn width(isa: Isa) -> usize {
                 match isa {
                     Isa::Portable => 4,
                     #[cfg(test)]
                     Isa::PortableFused | Isa::Counting => 4,
+                    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+                    Isa::Simd128 => 4,
                     #[cfg(target_arch = "x86_64")]
                     Isa::Avx2(_) => $four,
                     #[cfg(target_arch = "x86_64")]
@@ -112,6 +123,8 @@ macro_rules! compute {
                     Isa::PortableFused => pass.run(Portable::<$real, true>(PhantomData)),
                     #[cfg(test)]
                     Isa::Counting => pass.run(Counting(Portable::<$real, true>(PhantomData))),
+                    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+                    Isa::Simd128 => pass.run($simd128),
                     #[cfg(target_arch = "x86_64")]
                     Isa::Avx2(token) => token.vectorize(With($avx2(token), pass)),
                     #[cfg(target_arch = "x86_64")]
@@ -122,5 +135,5 @@ macro_rules! compute {
     };
 }
 
-compute!(f64, D4 x 4, D8 x 8);
-compute!(f32, S8 x 8, S16 x 16);
+compute!(f64, D4 x 4, D8 x 8, Twice2);
+compute!(f32, S8 x 8, S16 x 16, Portable::<f32, FUSES>(PhantomData));

@@ -13,7 +13,10 @@ pub mod attempt;
 mod bare_kernel;
 mod clock;
 mod clusters;
+mod contact_begin;
 mod contact_dynamics;
+#[doc(hidden)]
+pub mod contact_end;
 mod contact_relax;
 mod crushed;
 mod driver;
@@ -46,11 +49,11 @@ mod surroundings;
 mod sweep;
 mod threads;
 pub mod time_step;
-mod touch;
 
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
 pub use contact_dynamics::ContactDynamics;
+pub use contact_end::{Touch, Touching};
 pub use contact_relax::ContactRelax;
 pub use crushed::{CRUSHED, crushed_triangles};
 use driver::REPORT;
@@ -76,7 +79,6 @@ pub use sweep::{Point, Sweep};
 #[doc(hidden)]
 pub use threads::NODES_A_THREAD;
 pub use time_step::TimeStep;
-pub use touch::Touch;
 
 /// A fold angle past this many degrees means that layers have gone through each other and the state is tangled.
 pub const TANGLED_DEGREES: f64 = 200.0;

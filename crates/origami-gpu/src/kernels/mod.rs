@@ -6,11 +6,17 @@ pub(crate) mod block_forces;
 pub(crate) mod block_relax;
 pub(crate) mod bring_home;
 pub(crate) mod checkpoint;
+pub(crate) mod contact_aim;
+pub(crate) mod contact_clock;
+pub(crate) mod contact_move;
+pub(crate) mod contact_reduce;
 pub(crate) mod fire_move;
 pub(crate) mod fire_update;
 pub(crate) mod fold_angles;
 pub(crate) mod integrate;
 pub(crate) mod loose_beams;
+pub(crate) mod pair_forces;
+pub(crate) mod pair_limits;
 pub(crate) mod reduce_forces;
 pub(crate) mod row_sums;
 pub(crate) mod safe_time_step;
@@ -60,6 +66,15 @@ pub(crate) enum Binding {
     Angles = 26,
     Targets = 27,
     Loads = 28,
+    // Of contact.
+    Pairs = 29,
+    PairRows = 30,
+    Nears = 31,
+    Pushes = 32,
+    Moves = 33,
+    Shares = 34,
+    Ways = 35,
+    Touch = 36,
 }
 
 impl Binding {
@@ -94,6 +109,14 @@ impl Binding {
             Self::Angles => "the fold angles in blocks",
             Self::Targets => "the target angles in blocks",
             Self::Loads => "the loads",
+            Self::Pairs => "the pairs that may touch",
+            Self::PairRows => "the rows of the pairs",
+            Self::Nears => "the gaps of the pairs",
+            Self::Pushes => "the forces of the pairs",
+            Self::Moves => "the moves of the nodes",
+            Self::Shares => "the shares of moves that pairs leave",
+            Self::Ways => "the ways of the nodes",
+            Self::Touch => "what contact does",
         }
     }
 }
@@ -105,6 +128,8 @@ pub(crate) enum Per {
     Face,
     LooseBeam,
     Node,
+    /// A pair that may touch: as many as are listed.
+    Pair,
     /// A workgroup for each block.
     Block,
     /// The larger of nodes and creases.
@@ -159,6 +184,9 @@ impl Kernel {
         }
         if in_blocks && variant.loads {
             bindings.push(Binding::Loads);
+        }
+        if self.name == settle_windows::KERNEL.name && variant.contact.is_some() {
+            bindings.extend([Binding::PairRows, Binding::Pushes]);
         }
         if variant.blocks.is_some() {
             // What these are in the whole sheet, blocks have in another form.
@@ -220,6 +248,22 @@ fn gather(variant: &Variant) -> Vec<&'static str> {
     if variant.blocks.is_some() { vec![wgsl::BLOCK_GATHER] } else { vec![wgsl::SLOTS, wgsl::GATHER] }
 }
 
+/// The parts that tell the force on a node.
+fn force_on(variant: &Variant) -> Vec<&'static str> {
+    let mut parts = gather(variant);
+    parts.extend(match variant.contact {
+        Some(_) => &[wgsl::PAIR_ROWS, wgsl::PUSHES, wgsl::FORCE_IN_CONTACT][..],
+        None => &[wgsl::FORCE_OF_SPRINGS],
+    });
+    parts
+}
+
+/// The parts of kernels that work on pairs.
+fn pairs(variant: &Variant) -> Vec<&'static str> {
+    let thick = variant.contact.is_some_and(|contact| contact.thick);
+    vec![wgsl::PAIR_ROWS, wgsl::PAIRS, if thick { wgsl::THICK } else { wgsl::THICK_NONE }]
+}
+
 /// The parts that tell how stiff a crease is.
 fn creases(variant: &Variant) -> Vec<&'static str> {
     let mut parts = vec![variant.material(), variant.soft(), wgsl::ANGLE, wgsl::RAMP, wgsl::HINGE, wgsl::FACE];
@@ -253,7 +297,7 @@ mod tests {
     use crate::shader_checks::{bindings, checked};
     use crate::testing::variants;
 
-    const ALL: [&Kernel; 26] = [
+    const ALL: [&Kernel; 32] = [
         &block_clock::KERNEL,
         &block_dynamics::KERNEL,
         &block_forces::KERNEL,
@@ -264,6 +308,12 @@ mod tests {
         &triangle_forces::KERNEL,
         &settle_decide::KERNEL,
         &checkpoint::KERNEL,
+        &contact_aim::KERNEL,
+        &contact_clock::KERNEL,
+        &contact_move::KERNEL,
+        &contact_reduce::KERNEL,
+        &pair_forces::KERNEL,
+        &pair_limits::KERNEL,
         &loose_beams::KERNEL,
         &fire_move::KERNEL,
         &integrate::KERNEL,
@@ -296,6 +346,11 @@ mod tests {
                 [plan.forces.as_slice(), plan.settling, plan.row_sums, plan.integration, plan.checkpoint, plan.home];
             let whole = kernel.springs && kernel.per == Per::Instance;
             return whole || lists.concat().iter().any(|planned| planned.name == kernel.name);
+        }
+        let of_contact = kernel.per == Per::Pair || kernel.name.starts_with("contact");
+        let without = [reduce_forces::KERNEL.name, fire_move::KERNEL.name];
+        if if variant.contact.is_some() { without.contains(&kernel.name) } else { of_contact } {
+            return false;
         }
         let of_blocks =
             kernel.per == Per::Block || [block_clock::KERNEL.name, bring_home::KERNEL.name].contains(&kernel.name);

@@ -2,7 +2,7 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, gather};
+use super::{Binding, Kernel, Per, SHARED, force_on};
 
 /// The kernel of `settle_windows.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {
@@ -10,7 +10,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
     entry: "settle_windows",
     text: wgsl::SETTLE_WINDOWS,
     shared: SHARED,
-    parts: |variant| [gather(variant), vec![wgsl::REDUCE, wgsl::PARTIALS, wgsl::WINDOWS]].concat(),
+    parts: |variant| [force_on(variant), vec![wgsl::REDUCE, wgsl::PARTIALS, wgsl::WINDOWS]].concat(),
     uses: &[Binding::Control, Binding::Nodes, Binding::Slots, Binding::Rows, Binding::Partials, Binding::Windows],
     springs: false,
     per: Per::Node,

@@ -2,6 +2,7 @@
 
 pub(crate) mod bench;
 pub(crate) mod cases;
+pub(crate) mod layers;
 pub(crate) mod magnitudes;
 pub(crate) mod sheets;
 pub(crate) mod steps;

@@ -3,7 +3,7 @@
 use origami_core::Material;
 
 use crate::blocks::{Extent, Room};
-use crate::variant::{Scheme, Small, Variant};
+use crate::variant::{InContact, Scheme, Small, Variant};
 
 /// A relaxation with everything that a plain sheet has.
 pub(crate) fn plain() -> Variant {
@@ -24,12 +24,19 @@ pub(crate) fn plain() -> Variant {
         blocks: None,
         workgroup: 64,
         small: Small { steps: 20, words: 900, renewal: 10 },
+        contact: None,
     }
 }
 
 /// Some blocks.
 pub(crate) fn extent() -> Extent {
     Extent { count: 2, room: Room { nodes: 70, creases: 120, slots: 250 }, positions: 130, velocities: 120 }
+}
+
+/// A sheet whose layers push each other away, thick or not.
+pub(crate) fn in_contact(thick: bool) -> Variant {
+    let contact = InContact { stiffness: 50.0, thick, longest_move: 2e-3, patience: 4000 };
+    Variant { contact: Some(contact), fixed: thick, ..plain() }
 }
 
 /// All that differ in their text, with every motion and both sizes of workgroups among them.
@@ -55,5 +62,6 @@ pub(crate) fn of_texts() -> Vec<Variant> {
                 ..plain()
             }
         })
+        .chain([false, true].map(in_contact))
         .collect()
 }

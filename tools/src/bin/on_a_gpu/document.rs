@@ -116,6 +116,11 @@ mod tests {
             row("folded", 10_000, gpu, "seconds until it is folded", 0.25),
             row("folded", 10_000, gpu, "evaluations", 1234.0),
             row("folded", 10_000, cpu, "seconds without being folded", 60.0),
+            row("contact", 9, "GPU", "seconds until it is at rest", 0.5),
+            row("contact", 9, "GPU", "evaluations", 561.0),
+            row("contact", 9, "GPU", "crossings", 0.0),
+            row("contact", 9, "GPU", "most pairs", 123.0),
+            row("contact", 9, "GPU", "blocked", 1.0),
         ];
         let machine = serde_json::json!({
             "adapter": { "name": "llvmpipe", "backend": "Vulkan", "kind": "software", "driver": "Mesa" },
@@ -138,6 +143,7 @@ mod tests {
             "- `relax`, CPU, f64, one thread: the GPU gains from 10000 vertices on.",
             "| 10000 | relax | GPU, passes | 800 | 4.00 µs | 12.50 |",
             "| 10000 | 250 ms, 1234 | more than 60.0 s, - |",
+            "| miura | 9 | 500 ms, 561, 0, blocked | 123 | - |",
             "![llvmpipe (Vulkan), a software adapter](gpu/some-relax.svg)",
         ] {
             assert!(text.lines().any(|written| written == line), "{line}\n{text}");

@@ -11,6 +11,7 @@
 //! so, and plots into the folder PLOTS.
 #![expect(clippy::print_stdout, reason = "it tells how far it has come")]
 
+mod contact;
 mod document;
 mod ensembles;
 mod figures;

@@ -4,7 +4,7 @@ use std::error::Error;
 
 use crate::place::Place;
 use crate::run::Asked;
-use crate::{ensembles, folded, machine, memory, parity, pictures, speed, suites};
+use crate::{contact, ensembles, folded, machine, memory, parity, pictures, speed, suites};
 
 /// What a section that had to leave something out ends with.
 pub(crate) const CUT: i32 = 3;
@@ -31,12 +31,13 @@ const fn section(name: &'static str, share: f64, work: Work) -> Section {
 }
 
 /// All of them, in their order. The tests are not among them: they are programs of their own.
-pub(crate) const ALL: [Section; 7] = [
+pub(crate) const ALL: [Section; 8] = [
     section("machine", 2.0, machine::describe),
     section("parity", 8.0, parity::measure),
     section("speed", 22.0, speed::measure),
     section("ensembles", 7.0, ensembles::measure),
     section("folded", 10.0, folded::measure),
+    section("contact", 4.0, contact::measure),
     section("memory", 2.0, memory::measure),
     section("pictures", 3.0, pictures::measure),
 ];

@@ -16,6 +16,7 @@ pub(crate) fn write(run: &Run, text: &mut String) -> std::fmt::Result {
     speed(run, text)?;
     ensembles(run, text)?;
     folded(run, text)?;
+    contact(run, text)?;
     others(run, text)
 }
 
@@ -244,6 +245,38 @@ fn folded(run: &Run, text: &mut String) -> std::fmt::Result {
             }
         };
         line(text, &std::iter::once(size.to_string()).chain(by.iter().map(of)).collect::<Vec<_>>())?;
+    }
+    Ok(())
+}
+
+fn contact(run: &Run, text: &mut String) -> std::fmt::Result {
+    let whole = "seconds until it is at rest";
+    let by = distinct(run.of("contact", whole).map(|row| row.by.as_str()));
+    if by.is_empty() {
+        return Ok(());
+    }
+    let above = "Folded flat under contact, with all that is built before: seconds, evaluations, crossings; the most pairs that were \
+         listed, and how far fold angles on the GPU are from the processor's, in degrees:";
+    let mut columns = ["pattern", "vertices"].map(String::from).to_vec();
+    columns.extend(by.iter().map(ToString::to_string));
+    columns.extend(["pairs", "angles apart"].map(String::from));
+    head(text, above, &columns)?;
+    let first = by.first().copied().unwrap_or_default();
+    for row in run.of("contact", whole).filter(|row| row.by == first) {
+        let of = |by: &str, quantity: &str| {
+            run.value("contact", quantity, |r| (&r.sheet, r.vertices, &r.by[..]) == (&row.sheet, row.vertices, by))
+        };
+        let count = |value: f64| format!("{value:.0}");
+        let ended = |by: &&str| {
+            let blocked = if of(by, "blocked") == Some(1.0) { ", blocked" } else { "" };
+            let (evaluations, crossings) = (cell(of(by, "evaluations"), count), cell(of(by, "crossings"), count));
+            format!("{}, {evaluations}, {crossings}{blocked}", cell(of(by, whole), time))
+        };
+        let mut cells = vec![row.sheet.clone(), row.vertices.to_string()];
+        cells.extend(by.iter().map(ended));
+        cells.push(cell(of(first, "most pairs"), count));
+        cells.push(cell(of(first, "fold angles from the CPU's, degrees"), |far| format!("{far:.1e}")));
+        line(text, &cells)?;
     }
     Ok(())
 }

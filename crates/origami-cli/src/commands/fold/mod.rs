@@ -4,7 +4,6 @@ mod one;
 mod order;
 mod queue;
 mod summary;
-mod touching;
 
 use std::path::Path;
 

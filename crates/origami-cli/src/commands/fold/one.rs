@@ -7,12 +7,11 @@ use origami::error::WarningCode;
 use origami::export::Template;
 use origami::measure::attitude;
 use origami::model::Model;
-use origami::solve::{Failed, Folded, Progress, Stop, crushed_triangles, fold_path_from};
+use origami::solve::{ContactRelax, Failed, Folded, Progress, Relax, Stop, crushed_triangles, fold_path_from};
 use origami::{CreasePattern, Error, Warning, measure};
 
 use super::order::{self, Ended, Order};
 use super::summary::{self, Told};
-use super::touching::Touching;
 use crate::backend::Method;
 use crate::draw::{self, Artist, Subject};
 use crate::exit::Exit;
@@ -100,7 +99,22 @@ fn attempt(
         scene_warnings(&pattern, &model, &settings.percents, computer.adapter.is_some().then_some(settings.tolerance));
     told.warnings.extend(warnings.iter().cloned().chain(computer.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
-    let scene = SceneFacts::new(&pattern, &model, &computer.solver.inventory(&model), &warnings);
+    let in_contact = |solver| settings.in_contact(solver);
+    // What goes ahead of what folds, or has its contact.
+    let under_contact = settings.contact.map(|asked| {
+        let relax = match &settings.method {
+            Method::Relax(relax) => relax.clone(),
+            #[cfg(feature = "newton")]
+            Method::Newton(newton) => newton.relax.clone().unwrap_or_default(),
+            Method::Dynamics(_) | Method::Reflect(_) => Relax::default(),
+        };
+        ContactRelax { relax, contact: asked.of(&model) }
+    });
+    let inventory = match &under_contact {
+        Some(solver) => in_contact(solver.clone()).inventory(&model),
+        None => computer.solver.inventory(&model),
+    };
+    let scene = SceneFacts::new(&pattern, &model, &inventory, &warnings);
     let start = match settings.start(&model) {
         Ok(start) => start,
         Err(failed) => return Ok(refused(input, &format!("--from-flat: {failed}"), told)),
@@ -113,17 +127,16 @@ fn attempt(
     };
     let (mut steps, mut touches) = (Vec::new(), Vec::new());
     let mut path = |percents: &[f64], before: usize| {
-        let contact = settings.contact.map(|asked| asked.of(&model));
-        let touching = contact.and_then(|contact| Touching::new(&settings.method, contact));
-        let gone = match (&stages, touching, &settings.method) {
-            (Some(stages), _, Method::Relax(relax)) => {
+        let gone = match (&stages, &under_contact, &settings.method) {
+            (Some(stages), contact, Method::Relax(relax)) => {
+                let contact = contact.as_ref().map(|solver| solver.contact);
                 // How many stages there are is not known where the way is told.
                 let mut watched = |_, progress| watched(0, progress);
                 order::in_steps(&model, (relax, contact), &start, (stages, settings.parts), &mut watched)?
             }
             (None, Some(solver), _) => {
                 let mut watched = |stage, progress| watched(before + stage, progress);
-                order::in_contact(&model, solver, &start, percents, &mut watched)?
+                order::in_contact(&model, (solver.clone(), &in_contact), &start, percents, &mut watched)?
             }
             _ => {
                 let mut watched = |stage, progress| watched(before + stage, progress);

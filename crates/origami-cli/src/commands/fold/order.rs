@@ -8,10 +8,11 @@ use origami::fold::{Document, Frame};
 use origami::model::Model;
 use origami::scene::Scene;
 use origami::sequence::{SEQUENCE, Sequence, Stage, TIMELINE};
-use origami::solve::{Failed, Folded, PathFailed, Progress, Relax, SequenceFailed, State, Stop, fold_sequence};
+use origami::solve::{
+    ContactRelax, Failed, Folded, PathFailed, Progress, Relax, SequenceFailed, State, Stop, Touching, fold_sequence,
+};
 use origami::{CreasePattern, Error};
 
-use super::touching::Touching;
 use crate::args::SequenceSource;
 use crate::report::ContactFacts;
 
@@ -128,10 +129,10 @@ pub(super) fn in_steps(
     Ok(gone)
 }
 
-/// Folds to each percentage in turn under contact.
+/// Folds to each percentage in turn under contact, by what `solver` makes of settings.
 pub(super) fn in_contact(
     model: &Model,
-    mut solver: Touching,
+    (mut settings, solver): (ContactRelax, &dyn Fn(ContactRelax) -> Box<dyn Touching>),
     start: &State,
     percents: &[f64],
     observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
@@ -139,13 +140,15 @@ pub(super) fn in_contact(
     let (mut gone, mut from) = (Gone::default(), 0.0);
     for (number, &percent) in percents.iter().enumerate() {
         let before = gone.states.last().map_or(start, |folded| &folded.state);
-        let folded = solver.fold(model, before, &Scene::percent(percent), &mut |progress| observe(number, progress));
+        let (solver, scene) = (solver(settings.clone()), Scene::percent(percent));
+        let folded = solver.fold_touching(model, before, &scene, &mut |progress| observe(number, progress));
         let (folded, touch) = match folded {
             Ok(folded) => folded,
             Err(failed) => return Err(PathFailed { states: gone.states, percent, failed }.into()),
         };
         if before.targets != folded.state.targets {
-            solver.goes_on();
+            // The sheet is off every symmetry from its first move on.
+            settings.relax.perturbation = 0.0;
         }
         let (blocked, ended) = (folded.stop == Stop::Blocked, folded.stop == Stop::Cancelled);
         gone.touches.push(ContactFacts::new(model, &touch, blocked, Some([from, percent])));

@@ -1,7 +1,7 @@
 //! The barrier of gaps, and what eases out edges that are nearly parallel.
 
 use super::{Given, Measured, Row, Rows, WIDTH, choose};
-use crate::contact::NEARER;
+use crate::contact::barrier::NEARER;
 
 /// How pairs push.
 #[derive(Clone, Debug)]
@@ -28,8 +28,8 @@ impl Push {
 #[inline(always)]
 pub(in crate::contact) fn push(edges: bool, stiffness: f64, given: &Given, measured: &Measured, push: &mut Push) {
     let mut ratio = [1.0; WIDTH];
-    for i in 0..WIDTH {
-        ratio[i] = measured.gap[i] / given.width[i];
+    for ((ratio, gap), width) in ratio.iter_mut().zip(&measured.gap).zip(&given.width) {
+        *ratio = gap / width;
     }
     let log = logarithm(&ratio);
     let mut energy = [0.0; WIDTH];
@@ -89,8 +89,8 @@ fn logarithm(x: &Row) -> Row {
     /// An exponent in the last bits of this number counts whole ones.
     const COUNTING: f64 = 4_503_599_627_370_496.0;
     let mut log = [0.0; WIDTH];
-    for i in 0..WIDTH {
-        let bits = x[i].to_bits();
+    for (log, x) in log.iter_mut().zip(x) {
+        let bits = x.to_bits();
         let exponent = f64::from_bits(bits >> 52 | COUNTING.to_bits()) - (COUNTING + 1023.0);
         let mantissa = f64::from_bits(bits & MANTISSA | 1.0_f64.to_bits());
         let large = mantissa > std::f64::consts::SQRT_2;
@@ -102,7 +102,7 @@ fn logarithm(x: &Row) -> Row {
         for term in [19.0, 17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0] {
             series = series * y + 2.0 / term;
         }
-        log[i] = e * std::f64::consts::LN_2 + (2.0 * z + z * y * series);
+        *log = e * std::f64::consts::LN_2 + (2.0 * z + z * y * series);
     }
     log
 }

@@ -2,8 +2,8 @@
 
 use super::{Given, Measured, WIDTH, choose, clamped};
 
-/// Measures two edges each, as [`super::super::distance::of_edges`] does. Those that are nearly parallel are told by
-/// [`Measured::sine`].
+/// Measures two edges each, as [`super::super::distance::of_edges`] does, but for those that are nearly parallel
+/// ([`Measured::is_parallel`]).
 #[inline(always)]
 pub(in crate::contact) fn measure_edges(given: &Given, measured: &mut Measured) {
     for i in 0..WIDTH {
@@ -19,6 +19,7 @@ pub(in crate::contact) fn measure_edges(given: &Given, measured: &mut Measured) 
         let first = choose(before | beyond, from_end, along);
         let second = clamped(t);
         measured.set(i, [1.0 - first, first, second - 1.0, -second], w + first * u - second * v, given.closed[i]);
-        measured.sine[i] = det / (a * c);
+        let sine = det / (a * c);
+        measured.sine[i] = choose(sine > 0.0, sine, 0.0);
     }
 }

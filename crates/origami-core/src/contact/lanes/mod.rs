@@ -6,6 +6,8 @@
 mod barrier;
 mod edges;
 mod point_triangle;
+#[cfg(test)]
+mod tests;
 
 pub(super) use barrier::{Push, push};
 pub(super) use edges::measure_edges;
@@ -13,6 +15,7 @@ pub(super) use point_triangle::measure_points;
 
 use glam::DVec3;
 
+use super::distance::PARALLEL;
 use crate::ids::NodeId;
 
 /// How many pairs lie side by side.
@@ -63,14 +66,19 @@ pub(super) struct Measured {
     /// See [`super::pairs::Near`].
     pub(super) normal: Rows,
     pub(super) gap: Row,
-    /// Of edges: the squared sine of the angle that they enclose. Where it is not above [`super::distance::PARALLEL`] the
-    /// other numbers say nothing.
-    pub(super) sine: Row,
+    /// Of edges: the squared sine of the angle that they enclose; 0 where one has no length.
+    sine: Row,
 }
 
 impl Measured {
     pub(super) fn new() -> Self {
         Self { weights: [[0.0; WIDTH]; 4], normal: [[0.0; WIDTH]; 3], gap: [0.0; WIDTH], sine: [1.0; WIDTH] }
+    }
+
+    /// Whether the edges of pair `i` are so nearly parallel that the plain function has to measure them.
+    #[inline(always)]
+    pub(super) fn is_parallel(&self, i: usize) -> bool {
+        self.sine[i] <= PARALLEL
     }
 
     /// Takes the nearest points of pair `i`.

@@ -10,9 +10,10 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::contact_begin::check_contact;
+use super::contact_end::{Touch, Touching};
 use super::threads::{count, share};
-use super::touch::check_contact;
-use super::{Failed, Folded, Progress, Relax, Solver, State, Touch, unwatched};
+use super::{Failed, Folded, Progress, Relax, Solver, State, unwatched};
 use crate::contact::Contact;
 use crate::model::{Inventory, Model};
 use crate::scene::Scene;
@@ -44,6 +45,18 @@ impl Solver for ContactRelax {
 
     fn inventory(&self, model: &Model) -> Inventory {
         self.relax.inventory(model)
+    }
+}
+
+impl Touching for ContactRelax {
+    fn fold_touching(
+        &self,
+        model: &Model,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<(Folded, Touch), Failed> {
+        Self::fold_touching(self, model, start, scene, observe)
     }
 }
 

@@ -12,18 +12,21 @@ impl Run<'_> {
         self.kernel.set_positions(&self.positions);
         let turned = self.kernel.springs(false);
         if self.steps.is_multiple_of(RENEWAL) {
-            row_sums(self.model, &self.positions, &mut self.springs);
+            let mut sums = vec![0.0; self.springs.len()];
+            row_sums(self.model, &self.positions, &mut sums);
+            self.springs.iter_mut().zip(sums).for_each(|(own, sum)| *own = [sum, 1.0 / sum]);
         }
-        for (force, [_, springs]) in self.forces.iter_mut().zip(self.kernel.positions_and_forces()) {
-            *force = springs;
-        }
-        self.masses.copy_from_slice(&self.springs);
+        self.kernel.reduce_forces(&self.springs);
+        self.kernel.read_forces(&mut self.forces);
         let felt = self.layers.felt(&self.positions);
-        for ((force, mass), [x, y, z, sum]) in self.forces.iter_mut().zip(&mut self.masses).zip(felt) {
-            *force += DVec3::new(*x, *y, *z);
-            *mass += sum;
-        }
-        if !felt.is_empty() {
+        self.felt = !felt.is_empty();
+        if self.felt {
+            let masses = self.masses.iter_mut().zip(&self.springs);
+            for ((force, (mass, [springs, _])), [x, y, z, sum]) in self.forces.iter_mut().zip(masses).zip(felt) {
+                *force += DVec3::new(*x, *y, *z);
+                let sum = springs + sum;
+                *mass = [sum, 1.0 / sum];
+            }
             self.surroundings.held().clear(&mut self.forces);
         }
         self.touch.most_pairs = self.touch.most_pairs.max(self.layers.listed());
@@ -40,20 +43,21 @@ impl Run<'_> {
 
     /// One move by FIRE, shortened where something is in the way.
     pub(super) fn advance(&mut self) {
+        let masses = if self.felt { &self.masses } else { &self.springs };
         let mut sums = Sums::default();
-        for ((force, velocity), mass) in self.forces.iter().zip(&self.velocities).zip(&self.masses) {
+        for ((force, velocity), [mass, inverse]) in self.forces.iter().zip(&self.velocities).zip(masses) {
             sums.power += force.dot(*velocity);
             sums.speed += mass * velocity.length_squared();
-            sums.pull += force.length_squared() / mass;
+            sums.pull += force.length_squared() * inverse;
         }
         let Decision { step, keep, towards_force, back } = fire_update(&mut self.fire, sums);
         let longest = self.layers.longest_move();
         let mut largest = 0.0_f64;
-        for (((by, velocity), force), mass) in
-            self.moves.iter_mut().zip(&mut self.velocities).zip(&self.forces).zip(&self.masses)
+        for (((by, velocity), force), [_, inverse]) in
+            self.moves.iter_mut().zip(&mut self.velocities).zip(&self.forces).zip(masses)
         {
             let old = *velocity;
-            *velocity = keep * old + (towards_force / mass) * *force;
+            *velocity = keep * old + (towards_force * inverse) * *force;
             *by = step * *velocity + back * old;
             let square = by.length_squared();
             if square > longest * longest {

@@ -4,26 +4,22 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::super::contact_begin::first_layers;
+use super::super::contact_end::{Touch, farthest, is_held_up, patience, residual, touched};
 use super::super::guard::Guard;
-use super::super::largest::largest;
 use super::super::ramp::Ramp;
-use super::super::relax::{default_ramp, ramp_between};
+use super::super::relax::ramp_between;
 use super::super::settle::Settling;
 use super::super::surroundings::Surroundings;
-use super::super::touch::{first_layers, is_held_up};
-use super::super::{Failed, Folded, Progress, REPORT, State, Stop, Touch};
+use super::super::{Failed, Folded, Progress, REPORT, State, Stop};
 use super::ContactRelax;
 use crate::contact::Layers;
-use crate::forces::Forces;
 use crate::kernel::{Bounds, Kernel};
 use crate::model::Model;
 use crate::scene::Scene;
 use crate::twins::checkpoint::COPY_EVERY;
 use crate::twins::fire_update::{Fire, HOLD};
 use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
-
-/// Ramps for which it goes on at the final targets while contact holds it up.
-const PATIENCE: u64 = 10;
 
 /// One fold.
 pub(super) struct Run<'a> {
@@ -43,9 +39,11 @@ pub(super) struct Run<'a> {
     /// By node, of springs and contact.
     pub(super) forces: Vec<DVec3>,
     pub(super) moves: Vec<DVec3>,
-    /// By node: row sums of the springs, and of the contact too.
-    pub(super) springs: Vec<f64>,
-    pub(super) masses: Vec<f64>,
+    /// By node: row sums of the springs, with their inverses.
+    pub(super) springs: Vec<[f64; 2]>,
+    /// The same with those of contact; of no use where nothing is felt of it.
+    pub(super) masses: Vec<[f64; 2]>,
+    pub(super) felt: bool,
     pub(super) steps: u64,
     /// The evaluation at which the ramp was done.
     arrived: u64,
@@ -86,8 +84,9 @@ impl<'a> Run<'a> {
             velocities: vec![DVec3::ZERO; nodes],
             forces: vec![DVec3::ZERO; nodes],
             moves: vec![DVec3::ZERO; nodes],
-            springs: vec![0.0; nodes],
-            masses: vec![0.0; nodes],
+            springs: vec![[0.0; 2]; nodes],
+            masses: vec![[0.0; 2]; nodes],
+            felt: false,
             steps: 0,
             arrived: 0,
             last_limited: 0,
@@ -102,7 +101,7 @@ impl<'a> Run<'a> {
     ) -> Result<Stop, Failed> {
         let relax = &self.solver.relax;
         let (limit, all) = (relax.steps.unwrap_or(relax.max_steps), relax.steps.is_some());
-        let patience = PATIENCE * u64::from(default_ramp(self.model));
+        let patience = patience(self.model);
         let mut turned = 0.0;
         while self.steps < limit {
             if !self.ramp.done() && turned <= HOLD {
@@ -142,20 +141,19 @@ impl<'a> Run<'a> {
         self.touch.limited > 0 && self.steps - self.last_limited <= COPY_EVERY
     }
 
+    /// Whether layers press, and a crease is far from the angle asked of it.
     fn is_held_up(&self) -> bool {
-        is_held_up(&self.layers, &self.angles(), self.ramp.asked())
-    }
-
-    fn angles(&self) -> Vec<f64> {
         let mut angles = vec![0.0; self.model.creases.len()];
         self.kernel.read_angles(&mut angles);
-        angles
+        is_held_up(&self.layers, farthest(&angles, self.ramp.asked()))
     }
 
     /// All that moves, without targets.
     fn state(&self) -> State {
+        let mut fold_angles = vec![0.0; self.model.creases.len()];
+        self.kernel.read_angles(&mut fold_angles);
         let (positions, velocities) = (self.positions.clone(), self.velocities.clone());
-        State { positions, velocities, fold_angles: self.angles(), targets: Vec::new() }
+        State { positions, velocities, fold_angles, targets: Vec::new() }
     }
 
     /// The state that it has come to, measured by the plain forces and those of contact.
@@ -164,27 +162,22 @@ impl<'a> Run<'a> {
         self.kernel.springs(false);
         self.layers.measure(&self.positions);
         let mut state = self.state();
-        state.velocities.fill(DVec3::ZERO);
         state.targets = self.ramp.into_asked();
-        let touch = self.touch.at_end(self.model, &self.layers, &state);
-        let held = self.surroundings.held().clone();
-        let mut forces = Forces::holding(self.model, self.scene, held.clone());
-        let mut all = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles).to_vec();
-        let mut of_contact = vec![DVec3::ZERO; all.len()];
-        self.layers.add(&state.positions, &mut of_contact, &mut self.masses);
-        held.clear(&mut of_contact);
-        all.iter_mut().zip(&of_contact).for_each(|(all, own)| *all += *own);
+        let touch = touched(self.model, &self.layers, &state, std::mem::take(&mut self.touch));
+        state.velocities.fill(DVec3::ZERO);
+        let (residual, reactions) =
+            residual((self.model, self.scene), self.surroundings.held(), &self.layers, &mut state);
         let folded = Folded {
             targets: self.scene.targets.clone(),
             stop,
             steps: self.steps,
             time_step: self.fire.step,
-            residual: largest(&all),
+            residual,
             distance: self.settling.distance(),
             attempts: 1,
             factorisations: 0,
             saddles: 0,
-            reactions: forces.reactions().to_vec(),
+            reactions,
             state,
         };
         (folded, touch)

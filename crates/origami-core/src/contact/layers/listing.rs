@@ -1,0 +1,64 @@
+//! Which pairs are known: a list that is made anew where nodes have moved far, and those of it that are due soon.
+
+use glam::DVec3;
+
+use super::Layers;
+
+/// Pairs are listed up to so many skins beyond the gap where few are found there. More: lists last longer and are longer.
+pub(in crate::contact) const MOST_SKINS: f64 = 4.0;
+/// As many pairs for each node are few, and many.
+pub(in crate::contact) const FEW: usize = 4;
+pub(in crate::contact) const MANY: usize = 32;
+/// Pairs that may come near within about so many evaluations are looked at in each of them.
+const SOON: f64 = 8.0;
+/// Or within a move of this share of the gap.
+const AT_REST: f64 = 0.1;
+
+impl Layers {
+    /// Lists the pairs anew where nodes have moved so far that others may be nearer than `distance`; true if so.
+    pub(super) fn list_for(&mut self, positions: &[DVec3], distance: f64) -> bool {
+        let most = 0.5 * (self.contact.gap + self.room - distance);
+        if !self.listed_at.is_empty() {
+            if self.way - self.listed_way <= most {
+                return false;
+            }
+            let moved = |(p, listed): (&DVec3, &DVec3)| (*p - *listed).length_squared();
+            let farthest = positions.iter().zip(&self.listed_at).map(moved).fold(0.0, f64::max).sqrt();
+            // They cannot be farther than that before the way is so much longer.
+            self.listed_way = self.way - farthest;
+            if farthest <= most {
+                return false;
+            }
+        }
+        self.list(positions);
+        true
+    }
+
+    /// Lists the pairs anew.
+    pub(super) fn list(&mut self, positions: &[DVec3]) {
+        if !self.listed_at.is_empty() {
+            let listed = self.pairs.len();
+            if listed <= FEW * positions.len() {
+                self.room *= 2.0;
+            } else if listed > MANY * positions.len() {
+                self.room *= 0.5;
+            }
+        }
+        // The skin may have become another one.
+        self.room = self.room.clamp(self.skin, MOST_SKINS * self.skin);
+        let reach = self.contact.gap + self.room;
+        self.finder.find(positions, reach, &mut self.pairs, &mut self.gaps);
+        self.due.clear();
+        self.due.extend(self.gaps.iter().map(|gap| gap + 2.0 * self.way));
+        self.listed_at.clear();
+        self.listed_at.extend_from_slice(positions);
+        self.listed_way = self.way;
+        self.soon.forget();
+    }
+
+    /// Sees to it that all pairs that are due before `bound` are known.
+    pub(super) fn look_ahead(&mut self, bound: f64) {
+        let later = (SOON * 2.0 * self.last).max(AT_REST * self.contact.gap);
+        self.soon.look_ahead(bound, later, (&self.pairs, &mut self.due));
+    }
+}

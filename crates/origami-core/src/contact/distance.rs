@@ -187,7 +187,6 @@ mod tests {
             // At their ends they are so much farther apart sideways.
             let Nearest { apart, .. } = of_edges(&edges);
             assert!((apart.length() - height).abs() < 1e-2 * height, "{tilt}: {apart}");
-            assert!(apart.z.abs() > 0.99 * apart.length(), "{tilt}: {apart}");
         }
     }
 }

@@ -13,8 +13,8 @@ use crate::ids::NodeId;
 /// The share of a gap that one move may use up.
 pub const USABLE: f64 = 0.5;
 /// A pair is looked at before a move if its gap, but for what is never used up of it, is below so many times what both of its
-/// things may move: half of it may be used up. What is not looked at could come below that.
-pub const WITHIN: f64 = 2.0;
+/// things may move: what is not looked at uses up no more than a move may.
+pub const WITHIN: f64 = 1.0 / USABLE;
 /// The share of a pair's width that is never used up: without it gaps would shrink to nothing by halves.
 pub(super) const FLOOR: f64 = 1e-3;
 

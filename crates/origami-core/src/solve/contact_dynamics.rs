@@ -7,19 +7,20 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::contact_begin::{check_contact, first_layers};
+use super::contact_end::{farthest, is_held_up, residual, touched};
 use super::guard::Guard;
-use super::largest::largest;
 use super::ramp::Ramp;
 use super::row_sums::row_sums;
 use super::settle::Settling;
 use super::surroundings::Surroundings;
 use super::threads::{count, share};
-use super::touch::{Touching, check_contact, first_layers, is_held_up};
 use super::{
-    Dynamics, Failed, Folded, Integrator, Progress, REPORT, Solver, State, Stop, TimeStep, Touch, time_step, unwatched,
+    Dynamics, Failed, Folded, Integrator, Progress, REPORT, Solver, State, Stop, TimeStep, Touch, Touching, time_step,
+    unwatched,
 };
 use crate::contact::{Contact, Layers};
-use crate::forces::{Forces, damping};
+use crate::forces::damping;
 use crate::kernel::{Bounds, Kernel};
 use crate::model::{Inventory, Model};
 use crate::scene::Scene;
@@ -64,25 +65,10 @@ impl Solver for ContactDynamics {
     }
 }
 
+/// [`Touch::limited`] counts the steps in which something was stopped that met other layers too hard for contact to brake it:
+/// energy is lost in them, and in no others.
 impl Touching for ContactDynamics {
     fn fold_touching(
-        &self,
-        model: &Model,
-        start: &State,
-        scene: &Scene,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<(Folded, Touch), Failed> {
-        Self::fold_touching(self, model, start, scene, observe)
-    }
-}
-
-impl ContactDynamics {
-    /// As [`Solver::fold`], and what contact did. [`Touch::limited`] counts the steps in which something was stopped that met other
-    /// layers too hard for contact to brake it: energy is lost in them, and in no others.
-    ///
-    /// # Errors
-    /// As [`super::ContactRelax::fold_touching`].
-    pub fn fold_touching(
         &self,
         model: &Model,
         start: &State,
@@ -93,11 +79,13 @@ impl ContactDynamics {
             self.run((model, scene, start), threads, observe, &mut |_, _| {})
         })
     }
+}
 
-    /// The same on one thread; `look` is shown the positions after every step, with its number.
+impl ContactDynamics {
+    /// As [`Touching::fold_touching`] on one thread; `look` is shown the positions after every step, with its number.
     ///
     /// # Errors
-    /// As [`ContactDynamics::fold_touching`].
+    /// As that.
     #[doc(hidden)]
     pub fn fold_looking(
         &self,
@@ -334,7 +322,7 @@ impl<'a> Run<'a> {
     }
 
     fn is_held_up(&self) -> bool {
-        is_held_up(&self.layers, &self.angles(), self.ramp.asked())
+        is_held_up(&self.layers, farthest(&self.angles(), self.ramp.asked()))
     }
 
     fn angles(&self) -> Vec<f64> {
@@ -352,16 +340,15 @@ impl<'a> Run<'a> {
     /// The state that it has come to, its velocities those at its positions.
     fn into_folded(mut self, stop: Stop) -> (Folded, Touch) {
         self.evaluate();
-        let residual = largest(&self.forces);
         if !matches!(stop, Stop::Converged | Stop::Blocked) {
             self.damp();
             self.kick(self.kicks[1] * self.step);
         }
         let mut state = self.state();
         state.targets = self.ramp.into_asked();
-        let touch = self.touch.at_end(self.model, &self.layers, &state);
-        let mut forces = Forces::holding(self.model, self.scene, self.surroundings.held().clone());
-        forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles);
+        let touch = touched(self.model, &self.layers, &state, self.touch);
+        let (residual, reactions) =
+            residual((self.model, self.scene), self.surroundings.held(), &self.layers, &mut state);
         let folded = Folded {
             targets: self.scene.targets.clone(),
             stop,
@@ -372,7 +359,7 @@ impl<'a> Run<'a> {
             attempts: 1,
             factorisations: 0,
             saddles: 0,
-            reactions: forces.reactions().to_vec(),
+            reactions,
             state,
         };
         (folded, touch)

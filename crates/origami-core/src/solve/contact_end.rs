@@ -1,14 +1,65 @@
 //! What a relaxation under contact has come to, wherever it ran: measured by the plain forces and those of contact.
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 
-use super::touch::{Touch, is_held_up, residual};
-use super::{Folded, State, Stop};
-use crate::contact::{Contact, Layers};
+use super::largest::largest;
+use super::relax::default_ramp;
+use super::{Failed, Folded, Progress, Solver, State, Stop};
+use crate::contact::{Contact, Layers, Pressing, pressing};
+use crate::forces::Forces;
+use crate::ids::CreaseId;
 use crate::model::Model;
-use crate::scene::{Held, Scene};
+use crate::scene::{Held, Reaction, Scene};
 
-pub use super::touch::patience;
+/// A sheet at rest under contact that is farther than this from an angle asked of it is blocked, in degrees.
+const OFF: f64 = 10.0;
+/// Ramps for which it goes on at the final targets while contact holds it up.
+const PATIENCE: u64 = 10;
+
+/// What contact did on a way to a state.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Touch {
+    /// The faces that press at the end, the hardest first.
+    pub pressing: Vec<Pressing>,
+    /// The share of the way to the targets, 0 to 1, at which a move was first shortened; `None`: nothing was ever in the way.
+    pub first_limited: Option<f64>,
+    /// Evaluations in which some move was shortened.
+    pub limited: u64,
+    /// The least gap at the end, in radii; infinite where nothing touches.
+    pub least_gap: f64,
+    /// The energy of all gaps at the end, in the model's unit.
+    pub energy: f64,
+    /// The crease that is farthest from the angle asked of it, and how far, in radians.
+    pub farthest: Option<(CreaseId, f64)>,
+    /// Most pairs that were listed at one time.
+    pub most_pairs: usize,
+}
+
+/// A solver that keeps paper from going through paper, and tells what that did.
+pub trait Touching: Solver {
+    /// As [`Solver::fold`], and what contact did.
+    ///
+    /// # Errors
+    /// As [`Solver::fold`]; [`Failed::Refused`] too where the sheet begins crossed or closed, and for settings that are no
+    /// lengths or stiffnesses above 0.
+    fn fold_touching(
+        &self,
+        model: &Model,
+        start: &State,
+        scene: &Scene,
+        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<(Folded, Touch), Failed>;
+}
+
+/// Evaluations at the final targets for which a sheet goes on that contact holds up.
+#[doc(hidden)]
+#[must_use]
+pub fn patience(model: &Model) -> u64 {
+    PATIENCE * u64::from(default_ramp(model))
+}
 
 /// Why a solver has made no more evaluations.
 #[doc(hidden)]
@@ -16,7 +67,7 @@ pub use super::touch::patience;
 pub enum Ended {
     /// The stopping rule is content.
     Settled,
-    /// Contact has held it up for longer than its [`patience`].
+    /// Contact has held it up for longer than [`patience`].
     HeldUp,
     /// It has come to its limit. Whether its targets had arrived, and whether a move was shortened lately.
     Limit(bool, bool),
@@ -52,11 +103,11 @@ impl Came {
         let mut layers = Layers::new(&model.mesh, &model.rest, contact, false);
         layers.measure(&state.positions);
         let counted = Touch { first_limited, limited, most_pairs, ..Touch::default() };
-        let touch = counted.at_end(model, &layers, &state);
-        let held_up = is_held_up(&layers, &state.fold_angles, &state.targets);
+        let touch = touched(model, &layers, &state, counted);
         let held = Held::new(model, scene);
         state.velocities.fill(DVec3::ZERO);
         let (residual, reactions) = residual((model, scene), &held, &layers, &mut state);
+        let held_up = is_held_up(&layers, touch.farthest);
         let stop = match ended {
             Ended::Settled if !held_up => Stop::Converged,
             Ended::Settled | Ended::HeldUp => Stop::Blocked,
@@ -80,4 +131,43 @@ impl Came {
         };
         (folded, touch)
     }
+}
+
+/// `counted` on the way, and what contact does at the end, where `layers` were last measured.
+pub(super) fn touched(model: &Model, layers: &Layers, state: &State, counted: Touch) -> Touch {
+    Touch {
+        pressing: pressing(&model.mesh, layers, &state.positions),
+        least_gap: layers.least_gap(),
+        energy: layers.energy(&state.positions),
+        farthest: farthest(&state.fold_angles, &state.targets),
+        ..counted
+    }
+}
+
+/// The largest force of springs and contact, and what the supports do. The fold angles are measured anew.
+pub(super) fn residual(
+    (model, scene): (&Model, &Scene),
+    held: &Held,
+    layers: &Layers,
+    state: &mut State,
+) -> (f64, Vec<Reaction>) {
+    let mut forces = Forces::holding(model, scene, held.clone());
+    let mut all = forces.evaluate(&state.positions, &state.targets, &mut state.fold_angles).to_vec();
+    let (mut of_contact, mut sums) = (vec![DVec3::ZERO; all.len()], vec![0.0; all.len()]);
+    layers.add(&state.positions, &mut of_contact, &mut sums);
+    held.clear(&mut of_contact);
+    all.iter_mut().zip(&of_contact).for_each(|(all, own)| *all += *own);
+    (largest(&all), forces.reactions().to_vec())
+}
+
+/// Whether layers press, and a crease is far from the angle asked of it.
+pub(super) fn is_held_up(layers: &Layers, farthest: Option<(CreaseId, f64)>) -> bool {
+    layers.count() > 0 && farthest.is_some_and(|(_, off)| off > OFF.to_radians())
+}
+
+/// The crease that is farthest from the angle asked of it, and how far.
+pub(super) fn farthest(angles: &[f64], asked: &[f64]) -> Option<(CreaseId, f64)> {
+    let off = angles.iter().zip(asked).map(|(reached, asked)| (reached - asked).abs());
+    let all = off.enumerate().map(|(crease, off)| (CreaseId::new(crease), off));
+    all.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
 }

@@ -14,6 +14,7 @@ mod backwards;
 mod bare_kernel;
 mod clock;
 mod clusters;
+mod contact_begin;
 mod contact_dynamics;
 #[doc(hidden)]
 pub mod contact_end;
@@ -49,12 +50,12 @@ mod surroundings;
 mod sweep;
 mod threads;
 pub mod time_step;
-mod touch;
 
 pub use backwards::{Backwards, Motion, NotBackwards};
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
 pub use contact_dynamics::ContactDynamics;
+pub use contact_end::{Touch, Touching};
 pub use contact_relax::ContactRelax;
 pub use crushed::{CRUSHED, crushed_triangles};
 use driver::REPORT;
@@ -80,7 +81,6 @@ pub use sweep::{Point, Sweep};
 #[doc(hidden)]
 pub use threads::NODES_A_THREAD;
 pub use time_step::TimeStep;
-pub use touch::{Touch, Touching};
 
 /// A fold angle past this many degrees means that layers have gone through each other and the state is tangled.
 pub const TANGLED_DEGREES: f64 = 200.0;

@@ -3,7 +3,7 @@
 use origami_core::Solver;
 use origami_core::contact::Crossings;
 use origami_core::scene::Scene;
-use origami_core::solve::{ContactNewton, ContactRelax, Relax, State, Stop, unwatched};
+use origami_core::solve::{ContactNewton, ContactRelax, Relax, State, Stop, Touching, unwatched};
 
 use crate::model;
 

@@ -4,11 +4,8 @@ use glam::DVec3;
 
 use super::super::limit::FLOOR;
 use super::Layers;
+use super::listing::MOST_SKINS;
 
-/// Pairs are listed up to so many times the skin beyond the gap where moves are long, ...
-const WIDEST: f64 = 20.0;
-/// ... and so many times farther than they ask for, so that a list lasts.
-const WIDER: f64 = 1.5;
 /// A pair with less than so many times the gap that is never used up is left to [`Layers::limit`].
 const CLOSED: f64 = 2.0;
 
@@ -69,11 +66,11 @@ impl Layers {
         step
     }
 
-    /// Lists pairs as far away as moves of that length ask for, in radii.
+    /// Lists pairs as far away as moves of that length ask for, in radii, as far as lists go.
     fn widen(&mut self, positions: &[DVec3], longest: f64) {
-        let wanted = (4.0 * longest).clamp(self.skin, WIDEST * self.skin);
-        if wanted > self.room || 4.0 * WIDER * wanted < self.room {
-            self.room = (WIDER * wanted).min(WIDEST * self.skin);
+        let most = MOST_SKINS * self.skin;
+        if 4.0 * longest > self.room && self.room < most {
+            self.room = most;
             self.listed_at.clear();
             self.measure(positions);
         }

@@ -10,8 +10,9 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::contact_begin::check_contact;
+use super::contact_end::{Touch, Touching};
 use super::threads::{count, share};
-use super::touch::{Touch, Touching, check_contact};
 use super::{Failed, Folded, Progress, Relax, Solver, State, unwatched};
 use crate::contact::Contact;
 use crate::model::{Inventory, Model};

@@ -4,12 +4,13 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::super::contact_begin::first_layers;
+use super::super::contact_end::{Touch, farthest, is_held_up, patience, residual, touched};
 use super::super::guard::Guard;
 use super::super::ramp::Ramp;
 use super::super::relax::ramp_between;
 use super::super::settle::Settling;
 use super::super::surroundings::Surroundings;
-use super::super::touch::{Touch, first_layers, is_held_up, patience, residual};
 use super::super::{Failed, Folded, Progress, REPORT, State, Stop};
 use super::ContactRelax;
 use crate::contact::Layers;
@@ -140,20 +141,19 @@ impl<'a> Run<'a> {
         self.touch.limited > 0 && self.steps - self.last_limited <= COPY_EVERY
     }
 
+    /// Whether layers press, and a crease is far from the angle asked of it.
     fn is_held_up(&self) -> bool {
-        is_held_up(&self.layers, &self.angles(), self.ramp.asked())
-    }
-
-    fn angles(&self) -> Vec<f64> {
         let mut angles = vec![0.0; self.model.creases.len()];
         self.kernel.read_angles(&mut angles);
-        angles
+        is_held_up(&self.layers, farthest(&angles, self.ramp.asked()))
     }
 
     /// All that moves, without targets.
     fn state(&self) -> State {
+        let mut fold_angles = vec![0.0; self.model.creases.len()];
+        self.kernel.read_angles(&mut fold_angles);
         let (positions, velocities) = (self.positions.clone(), self.velocities.clone());
-        State { positions, velocities, fold_angles: self.angles(), targets: Vec::new() }
+        State { positions, velocities, fold_angles, targets: Vec::new() }
     }
 
     /// The state that it has come to, measured by the plain forces and those of contact.
@@ -163,7 +163,7 @@ impl<'a> Run<'a> {
         self.layers.measure(&self.positions);
         let mut state = self.state();
         state.targets = self.ramp.into_asked();
-        let touch = std::mem::take(&mut self.touch).at_end(self.model, &self.layers, &state);
+        let touch = touched(self.model, &self.layers, &state, std::mem::take(&mut self.touch));
         state.velocities.fill(DVec3::ZERO);
         let (residual, reactions) =
             residual((self.model, self.scene), self.surroundings.held(), &self.layers, &mut state);

@@ -11,7 +11,8 @@ use super::{Equilibrium, Newton, OutOfMemory};
 use crate::contact::Layers;
 use crate::model::{Inventory, Model};
 use crate::scene::{Scene, Targets};
-use crate::solve::touch::{check_contact, first_layers};
+use crate::solve::contact_begin::{check_contact, first_layers};
+use crate::solve::contact_end::touched;
 use crate::solve::{ContactRelax, Failed, Folded, Progress, Solver, State, Stop, Touch, Touching};
 
 /// The residual from which on the exact Hessian is taken: farther away what curves downwards is left out.
@@ -56,24 +57,9 @@ impl Solver for ContactNewton {
     }
 }
 
+/// A sheet that the relaxation does not bring to rest is not gone on with.
 impl Touching for ContactNewton {
     fn fold_touching(
-        &self,
-        model: &Model,
-        start: &State,
-        scene: &Scene,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<(Folded, Touch), Failed> {
-        Self::fold_touching(self, model, start, scene, observe)
-    }
-}
-
-impl ContactNewton {
-    /// As [`Solver::fold`], and what contact did. A sheet that the relaxation does not bring to rest is not gone on with.
-    ///
-    /// # Errors
-    /// As [`ContactRelax::fold_touching`]; [`Failed::Backend`] where the factors do not fit into memory.
-    pub fn fold_touching(
         &self,
         model: &Model,
         start: &State,
@@ -105,7 +91,9 @@ impl ContactNewton {
         };
         Ok((folded, touch))
     }
+}
 
+impl ContactNewton {
     /// The equilibrium at the target angles of `start`, downhill from there, under the supports and loads of `scene`.
     ///
     /// # Errors
@@ -165,7 +153,7 @@ impl ContactNewton {
                         stability,
                         state: state.clone(),
                     };
-                    let touch = pressed.look(&state.positions, |layers| touch.at_end(model, layers, &state));
+                    let touch = pressed.look(&state.positions, |layers| touched(model, layers, &state, touch));
                     return Ok((equilibrium, touch));
                 }
             }

@@ -5,10 +5,12 @@ use std::time::Duration;
 use origami::contact::Contact;
 use origami::measure::attitude::Hold;
 use origami::model::{Material, Model};
-use origami::solve::{ContactDynamics, ContactRelax, Touching};
+use origami::solve::{
+    ContactDynamics, ContactRelax, Dynamics, Failed, Integrator, Precision, Reflect, Relax, Solver, State, TimeStep,
+    Touching, time_step,
+};
 #[cfg(feature = "newton")]
 use origami::solve::{ContactNewton, Newton};
-use origami::solve::{Dynamics, Failed, Integrator, Precision, Reflect, Relax, Solver, State, TimeStep, time_step};
 use origami::{CreasePattern, Warning, measure};
 
 use crate::args::{BackendName, FoldArgs, IntegratorName, PrecisionName, SequenceSource, SolverName, SolvingArgs};

@@ -33,6 +33,8 @@ use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
 const OF_A_SWING: f64 = 0.06;
 /// The share of a gap that layers may lose or gain in one step.
 const OF_A_GAP: f64 = 0.025;
+/// Of a sheet that is damped, and loses energy anyway, steps are so many times as long.
+const DAMPED: f64 = 4.0;
 
 /// [`Dynamics`] of a sheet whose layers push each other away, and through which nothing goes: a state without crossings stays
 /// one.
@@ -270,13 +272,13 @@ impl<'a> Run<'a> {
 
     /// One step through time, after forces.
     fn advance(&mut self) {
-        let longest = self.free_step().min(self.longest_swing());
-        let step = self.layers.longest_step((&self.positions, &self.velocities), OF_A_GAP, longest);
+        let (longest, share) = (self.free_step().min(self.longest_swing()), OF_A_GAP * self.coarser());
+        let step = self.layers.longest_step((&self.positions, &self.velocities), share, longest);
         // What is short enough for the velocities before the forces act, and after so long a step, is so for all between.
         let [before, _] = self.kicks;
         self.moves.clear();
         self.moves.extend(self.velocities.iter().zip(&self.forces).map(|(v, f)| *v + *f * (before * step.time)));
-        let then = self.layers.longest_step((&self.positions, &self.moves), OF_A_GAP, step.time);
+        let then = self.layers.longest_step((&self.positions, &self.moves), share, step.time);
         self.step = then.time;
         self.kick(before * self.step);
         self.moves.iter_mut().zip(&self.velocities).for_each(|(by, v)| *by = *v * self.step);
@@ -315,10 +317,14 @@ impl<'a> Run<'a> {
         self.free
     }
 
+    fn coarser(&self) -> f64 {
+        if self.model.material.zeta > 0.0 { DAMPED } else { 1.0 }
+    }
+
     /// The longest step that nodes which are pressed allow; infinite where none is.
     fn longest_swing(&self) -> f64 {
         let both = self.pressed.iter().zip(&self.springs).filter(|(pressed, _)| **pressed > 0.0);
-        OF_A_SWING / both.map(|(pressed, springs)| pressed + springs).fold(0.0, f64::max).sqrt()
+        OF_A_SWING * self.coarser() / both.map(|(pressed, springs)| pressed + springs).fold(0.0, f64::max).sqrt()
     }
 
     fn is_held_up(&self) -> bool {

@@ -13,8 +13,7 @@ pub mod attempt;
 mod bare_kernel;
 mod clock;
 mod clusters;
-#[doc(hidden)]
-pub mod contact_end;
+mod contact_end;
 mod contact_relax;
 mod crushed;
 mod driver;
@@ -50,6 +49,8 @@ pub mod time_step;
 
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
+#[doc(hidden)]
+pub use contact_end::{Came, Ended, contact_patience};
 pub use contact_end::{Touch, Touching};
 pub use contact_relax::ContactRelax;
 pub use crushed::{CRUSHED, crushed_triangles};

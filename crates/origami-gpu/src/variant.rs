@@ -1,6 +1,6 @@
 //! What a sheet's pipelines are specialised to: which parts they are put together from, and which numbers are constants.
 
-use origami_core::contact::list::constants as contact;
+use origami_core::contact::constants as contact;
 use origami_core::forces::areas::THRESHOLD;
 use origami_core::model::{DEGENERATE, Material};
 use origami_core::twins::{checkpoint, fire_update, safe_time_step, settle_decide, state_bounds};

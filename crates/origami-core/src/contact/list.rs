@@ -28,8 +28,8 @@ pub struct ListedPair {
     pub eased: f64,
 }
 
-impl From<&Pair> for ListedPair {
-    fn from(pair: &Pair) -> Self {
+impl ListedPair {
+    fn of(pair: &Pair) -> Self {
         let Pair { nodes, split, closed, width, eased } = *pair;
         Self { nodes, split, closed, width, eased }
     }
@@ -76,7 +76,7 @@ impl PairList {
 
     /// The pairs that were listed last, always in the same order.
     pub fn pairs(&self) -> impl ExactSizeIterator<Item = ListedPair> + '_ {
-        self.pairs.iter().map(ListedPair::from)
+        self.pairs.iter().map(ListedPair::of)
     }
 
     /// The least gap of all listed pairs where they were listed, in radii; infinite where there are none.
@@ -127,7 +127,7 @@ impl PlainContact {
     /// The pairs that push.
     #[must_use]
     pub fn pushing(&self) -> Vec<Pushing> {
-        let told = |(pair, near): (&Pair, &Near)| (pair.into(), near.weights, near.normal, near.gap);
+        let told = |(pair, near): (&Pair, &Near)| (ListedPair::of(pair), near.weights, near.normal, near.gap);
         self.0.pushing().map(told).collect()
     }
 

@@ -16,8 +16,7 @@ pub(crate) mod hessian;
 mod lanes;
 mod layers;
 mod limit;
-#[doc(hidden)]
-pub mod list;
+mod list;
 mod pairs;
 mod pressing;
 mod settings;
@@ -28,6 +27,8 @@ mod wedge;
 
 pub use crossings::{Crossing, Crossings};
 pub use list::{ListedPair, PairList};
+#[doc(hidden)]
+pub use list::{PlainContact, Pushing, constants};
 pub use pressing::Pressing;
 pub use settings::Contact;
 

@@ -57,7 +57,7 @@ pub trait Touching: Solver {
 /// Evaluations at the final targets for which a sheet goes on that contact holds up.
 #[doc(hidden)]
 #[must_use]
-pub fn patience(model: &Model) -> u64 {
+pub fn contact_patience(model: &Model) -> u64 {
     PATIENCE * u64::from(default_ramp(model))
 }
 
@@ -67,7 +67,7 @@ pub fn patience(model: &Model) -> u64 {
 pub enum Ended {
     /// The stopping rule is content.
     Settled,
-    /// Contact has held it up for longer than [`patience`].
+    /// Contact has held it up for longer than [`contact_patience`].
     HeldUp,
     /// It has come to its limit. Whether its targets had arrived, and whether a move was shortened lately.
     Limit(bool, bool),

@@ -16,8 +16,7 @@ mod clock;
 mod clusters;
 mod contact_begin;
 mod contact_dynamics;
-#[doc(hidden)]
-pub mod contact_end;
+mod contact_end;
 mod contact_relax;
 mod crushed;
 mod driver;
@@ -55,6 +54,8 @@ pub use backwards::{Backwards, Motion, NotBackwards};
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
 pub use contact_dynamics::ContactDynamics;
+#[doc(hidden)]
+pub use contact_end::{Came, Ended, contact_patience};
 pub use contact_end::{Touch, Touching};
 pub use contact_relax::ContactRelax;
 pub use crushed::{CRUSHED, crushed_triangles};

@@ -8,8 +8,9 @@ use origami_core::contact::{Contact, Crossings, PairList};
 use origami_core::model::{Inventory, Model};
 use origami_core::scene::{Refusal, Scene};
 use origami_core::solve::attempt::Attempt;
-use origami_core::solve::contact_end::patience;
-use origami_core::solve::{ContactRelax, Failed, Folded, Instance, Progress, Session, Solver, State, Touch, Touching};
+use origami_core::solve::{
+    ContactRelax, Failed, Folded, Instance, Progress, Session, Solver, State, Touch, Touching, contact_patience,
+};
 
 use crate::device::Gpu;
 use crate::engine::Engine;
@@ -185,7 +186,7 @@ impl ContactOnModel<'_> {
                     stiffness: self.method.contact.stiffness,
                     thick: self.method.contact.thickness > 0.0,
                     longest_move,
-                    patience: patience(self.model),
+                    patience: contact_patience(self.model),
                 };
                 Engine::in_contact(self.gpu, self.model, &outside, contact)?
             }
@@ -216,7 +217,6 @@ fn check(method: &ContactRelax) -> Result<(), Refusal> {
 
 #[cfg(test)]
 mod tests {
-    use origami_core::contact::Crossings;
     use origami_core::solve::{Relax, Stop, unwatched};
 
     use super::*;

@@ -5,8 +5,7 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 use origami_core::contact::{Crossings, PairList};
 use origami_core::mesh::Mesh;
-use origami_core::solve::contact_end::{Came, Ended};
-use origami_core::solve::{Failed, Instance, Progress, State};
+use origami_core::solve::{Came, Ended, Failed, Instance, Progress, State};
 use origami_core::twins::checkpoint::COPY_EVERY;
 
 use crate::engine::Engine;

@@ -19,7 +19,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
 #[cfg(test)]
 mod tests {
     use origami_core::contact::Contact;
-    use origami_core::solve::contact_end;
+    use origami_core::solve::contact_patience;
     use origami_core::twins::checkpoint::COPY_EVERY;
 
     use super::*;
@@ -66,7 +66,7 @@ mod tests {
         assert_eq!(control, rising, "no window has begun");
         assert_eq!(touch, Touch { limited: 1, last_limited: 500, first_limited: 3, arrived: 500, ..Touch::default() });
         // Held up for long.
-        let patience = u32::try_from(contact_end::patience(&model)).expect("small");
+        let patience = u32::try_from(contact_patience(&model)).expect("small");
         let late = |past: u32, since: u32| {
             let arrived = Control { step: 700 + past, ..settling };
             let touch = Touch { limited: 1, last_limited: arrived.step - since, arrived: 700, ..Touch::default() };

@@ -32,7 +32,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
 mod tests {
     use glam::DVec3;
     use origami_core::contact::Contact;
-    use origami_core::contact::list::PlainContact;
+    use origami_core::contact::PlainContact;
     use origami_core::forces::Forces;
     use origami_core::solve::row_sums;
 

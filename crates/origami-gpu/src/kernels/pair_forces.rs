@@ -22,7 +22,7 @@ mod tests {
 
     use glam::DVec3;
     use origami_core::contact::Contact;
-    use origami_core::contact::list::PlainContact;
+    use origami_core::contact::PlainContact;
     use origami_core::model::Model;
     use origami_core::solve::{ContactRelax, Solver};
 

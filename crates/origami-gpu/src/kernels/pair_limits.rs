@@ -27,7 +27,7 @@ pub(crate) const KERNEL: Kernel = Kernel {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
-    use origami_core::contact::list::PlainContact;
+    use origami_core::contact::PlainContact;
     use origami_core::contact::{Contact, Crossings};
 
     use super::super::{contact_clock, contact_move, pair_forces};

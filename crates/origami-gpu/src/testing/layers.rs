@@ -5,7 +5,7 @@ use glam::DVec3;
 use origami_core::contact::{Contact, PairList};
 use origami_core::generate::catalog;
 use origami_core::scene::{Held, Scene};
-use origami_core::solve::{State, contact_end};
+use origami_core::solve::{State, contact_patience};
 use origami_core::{Material, Model};
 
 use crate::Gpu;
@@ -52,7 +52,7 @@ impl Layers {
             stiffness: contact.stiffness,
             thick: contact.thickness > 0.0,
             longest_move: list.longest_move(),
-            patience: contact_end::patience(model),
+            patience: contact_patience(model),
         };
         let mut engine = Engine::in_contact(gpu, model, &Outside::default(), built).expect("it fits");
         let state = State { positions: positions.to_vec(), ..State::at_rest(model) };

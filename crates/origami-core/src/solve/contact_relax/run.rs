@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 
 use super::super::contact_begin::first_layers;
-use super::super::contact_end::{Touch, farthest, is_held_up, patience, residual, touched};
+use super::super::contact_end::{Touch, contact_patience, farthest, is_held_up, residual, touched};
 use super::super::guard::Guard;
 use super::super::ramp::Ramp;
 use super::super::relax::ramp_between;
@@ -101,7 +101,7 @@ impl<'a> Run<'a> {
     ) -> Result<Stop, Failed> {
         let relax = &self.solver.relax;
         let (limit, all) = (relax.steps.unwrap_or(relax.max_steps), relax.steps.is_some());
-        let patience = patience(self.model);
+        let patience = contact_patience(self.model);
         let mut turned = 0.0;
         while self.steps < limit {
             if !self.ramp.done() && turned <= HOLD {

@@ -83,7 +83,7 @@ fn layers(model: &Model, state: &State, panels: u32, base: u32) -> Vec<u32> {
         let cross = |u: DVec3, v: DVec3| u.x * v.y - u.y * v.x;
         let all = cross(b - a, c - a);
         let (v, w) = (cross(p - a, c - a) / all, cross(b - a, p - a) / all);
-        (v > 0.05 && w > 0.05 && v + w < 0.95).then(|| a.z + v * (b.z - a.z) + w * (c.z - a.z))
+        (v > 0.05 && w > 0.05 && v + w < 0.95).then_some(a.z + v * (b.z - a.z) + w * (c.z - a.z))
     };
     let mut below = vec![0; panels as usize];
     for one in 0..panels {

@@ -18,7 +18,7 @@ const SESSION: &str = "crates/origami-session/src";
 const STUDY: &str = "crates/origami-study/src";
 
 /// Each module of the core, and those that it may use.
-const MAY_USE: [(&str, &[&str]); 21] = [
+const MAY_USE: [(&str, &[&str]); 22] = [
     ("csr", &[]),
     ("ids", &[]),
     ("error", &["ids"]),
@@ -32,6 +32,7 @@ const MAY_USE: [(&str, &[&str]); 21] = [
     ("mesh", &["csr", "error", "ids", "pattern"]),
     ("model", &["error", "ids", "mesh", "parallel", "pattern"]),
     ("contact", &["ids", "mesh", "parallel"]),
+    ("layers", &["contact", "ids", "model"]),
     ("scene", &["ids", "model"]),
     ("sequence", &["error", "fold", "ids", "model", "pattern"]),
     ("forces", &["ids", "model", "scene"]),
@@ -39,8 +40,8 @@ const MAY_USE: [(&str, &[&str]); 21] = [
     (
         "solve",
         &[
-            "contact", "csr", "error", "flat", "forces", "ids", "kernel", "model", "parallel", "scene", "sequence",
-            "twins",
+            "contact", "csr", "error", "flat", "forces", "ids", "kernel", "layers", "mesh", "model", "parallel",
+            "scene", "sequence", "twins",
         ],
     ),
     ("analysis", &["error", "fold", "forces", "ids", "mesh", "model", "pattern", "scene", "solve"]),

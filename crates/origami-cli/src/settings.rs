@@ -20,6 +20,9 @@ use crate::progress::Way;
 /// Stages after the flat one in a contact sheet, where nothing is asked for.
 const STAGES: u32 = 4;
 
+/// Stages of a motion that is found backwards, where nothing is asked for.
+const BACKWARDS: u32 = 10;
+
 /// By how much a sheet that is opened from flat may miss itself there, in radii: the solver mends it.
 const CLOSED: f64 = 1e-3;
 
@@ -41,6 +44,8 @@ pub(crate) struct Settings {
     pub(crate) contact: Option<AskedContact>,
     /// The order in which creases fold; `None` is all at once.
     pub(crate) sequence: Option<SequenceSource>,
+    /// The motion is found backwards, in so many stages under contact.
+    pub(crate) backwards: Option<u32>,
     /// How many parts of each stage are shown.
     pub(crate) parts: u32,
     /// The percentage that was asked for.
@@ -90,13 +95,16 @@ impl Settings {
         let stages = args.frames.or(sheet_alone.then_some(STAGES));
         let from_flat = args.from_flat.then(|| 100.0_f64.copysign(args.percent));
         let stages_to = |n| frame_percents(from_flat.unwrap_or(0.0), args.percent, n);
-        let percents = stages.filter(|_| sequence.is_none()).map_or_else(|| vec![args.percent], stages_to);
+        let percents = stages
+            .filter(|_| sequence.is_none() && !args.contact.backwards)
+            .map_or_else(|| vec![args.percent], stages_to);
         Ok(Self {
             frame: args.frame,
             percents,
             sheet_percents: (of_sheet && !sheet_alone && sequence.is_none()).then(|| stages_to(STAGES)),
             steps: solving.steps,
-            animated: args.frames.is_some() || sequence.is_some(),
+            animated: args.frames.is_some() || sequence.is_some() || args.contact.backwards,
+            backwards: args.contact.backwards.then(|| args.frames.unwrap_or(BACKWARDS)),
             parts: args.frames.unwrap_or(1),
             percent: args.percent,
             reported: args.report.is_some(),
@@ -175,16 +183,30 @@ impl Settings {
     }
 }
 
-/// Whether `--sequence` or `--contact` is asked for; what goes with neither is refused.
+/// Whether `--sequence` or `--contact` is asked for; what does not go with it is refused.
 fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
     let solving = &args.solving;
-    let asked = [("--sequence", args.contact.sequence.is_some()), ("--contact", args.contact.keeps_apart())];
+    let asked = [
+        ("--backwards", args.contact.backwards),
+        ("--sequence", args.contact.sequence.is_some()),
+        ("--contact", args.contact.keeps_apart()),
+    ];
     let Some((option, _)) = asked.iter().find(|(_, given)| *given) else { return Ok(false) };
-    if solving.solver != SolverName::Relax {
-        return Err(format!("--solver {}: it has no {option}; expected relax", solving.solver.name()));
+    let (able, expected): (&[SolverName], _) = match args.contact.sequence {
+        Some(_) => (&[SolverName::Relax], "relax"),
+        None => (&[SolverName::Relax, SolverName::Dynamics, SolverName::Newton], "relax, newton or dynamics"),
+    };
+    if !able.contains(&solving.solver) {
+        return Err(format!("--solver {}: it has no {option}; expected {expected}", solving.solver.name()));
     }
     if solving.backend == BackendName::Gpu && args.contact.sequence.is_some() {
         return Err("--backend gpu: --sequence runs on the processor; expected auto or cpu".to_owned());
+    }
+    if solving.backend == BackendName::Gpu && solving.solver != SolverName::Relax {
+        let solver = solving.solver.name();
+        return Err(format!(
+            "--backend gpu: it has no --contact for {solver}; expected auto or cpu, or --solver relax"
+        ));
     }
     if args.contact.keeps_apart() && solving.precision() != Precision::F64 {
         return Err("--precision mixed: contact needs f64; expected f64 with --contact".to_owned());

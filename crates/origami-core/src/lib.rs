@@ -42,6 +42,7 @@
 //! | [`solve`] | [`Simulation`], which can be stepped and steered; the drivers [`Relax`], [`Dynamics`] and `Newton`; many sheets at once |
 //! | `analysis` | structures of bars and hinges: supports, loads, paths through snap-through (feature `analysis`) |
 //! | [`contact`] | where paper goes through paper |
+//! | [`layers`] | which layer lies on which where a sheet is folded flat |
 //! | [`measure`] | strain, angle errors, distance between states, warnings of scenes that go wrong |
 //! | [`export`] | FOLD, OBJ and STL |
 //! | [`error`], [`ids`] | errors and warnings that name a place; typed indices |
@@ -71,6 +72,7 @@ pub mod forces;
 pub mod generate;
 pub mod ids;
 mod kernel;
+pub mod layers;
 pub mod measure;
 pub mod mesh;
 pub mod model;

@@ -4,7 +4,7 @@
 //! [`Study::write`] makes files of (CSV, JSON, SVG, Markdown). [`accuracy::study`] measures the distance of each solver from
 //! the equilibrium against the time that it took; [`stability::study`] finds the longest time step that holds and compares
 //! what each solver claims with a reference; [`flat::study`] folds patterns to their flat-folded states; [`contact::study`] tells where sheets go
-//! through themselves, and what keeping them from it costs.
+//! through themselves, and what keeping them from it costs; [`backwards::study`] finds motions to flat-folded states from these.
 //!
 //! ```no_run
 //! use origami_core::generate::BirdBase;
@@ -25,6 +25,7 @@
 #![forbid(unsafe_code)]
 
 pub mod accuracy;
+pub mod backwards;
 pub mod contact;
 pub mod flat;
 mod gpu_choice;

@@ -20,7 +20,7 @@ pub(crate) enum SequenceSource {
 impl ContactArgs {
     /// Whether paper is to be kept from going through paper.
     pub(crate) fn keeps_apart(&self) -> bool {
-        self.contact || self.contact_gap.is_some() || self.thickness.is_some()
+        self.contact || self.contact_gap.is_some() || self.thickness.is_some() || self.backwards
     }
 }
 
@@ -53,8 +53,9 @@ pub(crate) struct ContactArgs {
     /// Layers push each other away from a small gap on, and no move takes anything through anything: a sheet that begins
     /// without crossings has none at the end. Friction is left out. A sheet that contact keeps from its angles ends blocked,
     /// with exit code 3: the faces that press and the crease that is farthest from its angle are told, and another order
-    /// (--sequence) may help. With --solver relax, on the processor or, where --backend gpu asks for it, on a GPU; every state is
-    /// tested as by --check. docs/CONTACT.md says more.
+    /// (--sequence) may help. With --solver relax, newton, which goes on from there to the equilibrium itself, or dynamics,
+    /// whose steps become as short as contact asks for; on the processor or, relax where --backend gpu asks for it, on a GPU.
+    /// Every state is tested as by --check. docs/CONTACT.md says more.
     #[arg(long, conflicts_with = "from_flat")]
     pub(crate) contact: bool,
 
@@ -66,12 +67,21 @@ pub(crate) struct ContactArgs {
 
     /// How thick the paper is, in the file's unit [default: 0]
     ///
-    /// Layers keep so far from each other, measured between their middle planes; two faces that share a crease are a wedge,
-    /// which is as thick at their centroids and closes at the crease. The gap is a tenth of it unless another is asked for. STL
-    /// files have each face as a plate so thick.
+    /// Layers come to lie so far from each other, measured between their middle planes; two faces that share a crease are a
+    /// wedge, which is as thick at their centroids and closes at the crease. The gap is a tenth of it unless another is asked
+    /// for. STL files have each face as a plate so thick.
     /// Implies --contact.
     #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "from_flat")]
     pub(crate) thickness: Option<f64>,
+
+    /// Find a motion to the flat-folded state by opening the sheet from there, and write it forwards
+    ///
+    /// For patterns that fold flat. An order of the layers is found that lets no paper go through paper, the layers are moved apart
+    /// as little as can be, and contact keeps them so on the way to the open sheet: --frames N of the output (10 by default) show
+    /// that way, those after them the layers closing up, the last one is exactly flat and has `faceOrders`. Not every pattern
+    /// can be embedded so; the faces that cross are told. docs/CONTACT.md says how far it goes.
+    #[arg(long, conflicts_with_all = ["from_flat", "sequence", "percent", "sheet", "thickness"])]
+    pub(crate) backwards: bool,
 
     /// Tell where the folded sheet goes through itself, and which of its faces cross
     ///

@@ -34,7 +34,7 @@ pub(crate) struct StudyArgs {
     #[arg(value_enum, value_name = "STUDY")]
     pub(crate) study: StudyName,
 
-    /// Of accuracy, flat and contact: patterns in place of the shipped scenes
+    /// Of accuracy, flat, contact and backwards: patterns in place of the shipped scenes
     ///
     /// Files with crease patterns, `-` for standard input, or names that `origami pattern --list` has; ./NAME is a file in any case.
     #[arg(value_name = "PATTERN")]
@@ -80,6 +80,8 @@ pub(crate) enum StudyName {
     Flat,
     /// Where sheets go through themselves, without contact and with it, and what that costs
     Contact,
+    /// Which patterns a motion to the flat-folded state is found for, backwards from there
+    Backwards,
 }
 
 /// Where runs take place.

@@ -35,7 +35,14 @@ pub(crate) use {
 };
 
 use origami::glam::DVec3;
+use origami::layers::FaceOrder;
 use origami::{CreasePattern, Model, State};
+use serde_json::{Value, json};
+
+/// Orders of faces as FOLD has them.
+pub(crate) fn listed(orders: &[FaceOrder]) -> Value {
+    orders.iter().map(|order| json!([order.faces[0].0, order.faces[1].0, order.side])).collect()
+}
 
 /// A folded sheet and the states that it went through.
 #[derive(Clone, Copy)]

@@ -7,6 +7,7 @@ use origami::export::{Pose, Template, plates, write_obj, write_stl, write_whole}
 use origami::fold::Document;
 use origami::glam::DVec3;
 use origami::ids::TriangleId;
+use origami::layers::FaceOrder;
 use origami::model::Model;
 use origami::solve::{Folded, State, Stop};
 use origami::{CreasePattern, Error, Warning};
@@ -41,6 +42,8 @@ pub(crate) struct Sheet<'a> {
     pub(crate) states: &'a [Folded],
     /// Of a sequence the step of each; else empty.
     pub(crate) steps: &'a [String],
+    /// Which face lies on which in the last state, where that is known and its positions do not tell it.
+    pub(crate) orders: Option<&'a [FaceOrder]>,
     /// Whether all of them go into files that can hold more than one.
     pub(crate) animated: bool,
     /// What draws it.
@@ -203,7 +206,9 @@ impl Sheet<'_> {
         }
         // That of the input was of another state.
         extra.shift_remove(FACE_ORDERS);
-        if let Some(orders) = draw::orders(self.model, &folded.state) {
+        let is_last = self.states.last().is_some_and(|last| std::ptr::eq(last, folded));
+        let known = self.orders.filter(|_| is_last).map(draw::listed);
+        if let Some(orders) = known.or_else(|| draw::orders(self.model, &folded.state)) {
             extra.insert(FACE_ORDERS.into(), orders);
         }
     }

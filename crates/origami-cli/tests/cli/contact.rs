@@ -118,8 +118,28 @@ fn a_letter_is_blocked_at_once_and_closes_in_order() {
     let report = place.json("r.json");
     assert_eq!((&report["contact"]["blocked"], &report["crossings"]["count"]), (&json!(false), &json!(0)));
     assert_eq!(place.json("b.fold")["file_frames"][1].get("origami:blocked"), None);
-    place.run("fold letter.fold --contact --solver newton -o d.fold").fails(1, "--solver newton: it has no --contact");
+    place
+        .run("fold letter.fold --contact --solver reflect -o d.fold")
+        .fails(1, "--solver reflect: it has no --contact");
+    let sequence = "fold letter.fold --contact --sequence own --solver newton -o d.fold";
+    place.run(sequence).fails(1, "--solver newton: it has no --sequence; expected relax");
     place.run("fold letter.fold --contact --precision mixed -o d.fold").fails(1, "--precision mixed");
+}
+
+#[test]
+fn newton_and_dynamics_go_under_contact_too() {
+    let place = Place::new();
+    place.run("pattern strip -o strip.fold --quiet").succeeds();
+    place.run("fold strip.fold --contact --solver newton -o a.fold --report r.json --quiet").succeeds();
+    let report = place.json("r.json");
+    assert_eq!((&report["stop"], &report["crossings"]["count"]), (&json!("converged"), &json!(0)));
+    assert!(report["residual"].as_f64().unwrap() < 1e-10 && report["contact"]["least_gap"].as_f64().unwrap() > 0.0);
+    let dynamics =
+        "fold strip.fold --contact-gap 0.01 --solver dynamics --ramp 500 --steps 1500 -o b.fold --report r.json";
+    place.run(dynamics).succeeds();
+    let report = place.json("r.json");
+    assert_eq!((&report["stop"], &report["crossings"]["count"]), (&json!("steps done"), &json!(0)));
+    assert!(report["contact"]["least_gap"].is_number(), "{report}");
 }
 
 /// A film of a sequence has its steps; thick paper is a plate for each face, and its order is told though it is not thin.

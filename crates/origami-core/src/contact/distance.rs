@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 /// Edges whose directions enclose an angle of less sine squared than this are nearly parallel: where their lines are nearest
-/// says little then, and their ends are looked at too.
+/// is not known well then, and their ends are looked at too.
 pub const PARALLEL: f64 = 1e-8;
 
 /// The two nearest points of two things.
@@ -72,7 +72,7 @@ pub(super) fn of_edges(points: &[DVec3; 4]) -> Nearest {
     let at = |s: f64, t: f64| Nearest::new(points, [1.0 - s, s, t - 1.0, -t]);
     let det = a * c - b * b;
     let parallel = det <= PARALLEL * a * c;
-    let along_first = if parallel { 0.0 } else { ((b * e - c * d) / det).clamp(0.0, 1.0) };
+    let along_first = if det > 0.0 { ((b * e - c * d) / det).clamp(0.0, 1.0) } else { 0.0 };
     let t = (b * along_first + e) / c;
     let (first, second) = if t < 0.0 {
         ((-d / a).clamp(0.0, 1.0), 0.0)
@@ -172,6 +172,21 @@ mod tests {
                 let distance = of_edges(&[p, q, r, s]).apart.length();
                 assert!((distance - expected).abs() < 2e-6, "{tilt}: {distance}, not {expected}");
             }
+        }
+    }
+    #[test]
+    fn nearly_parallel_edges_that_pass_over_each_other_are_near_there() {
+        for tilt in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7] {
+            let height = 1e-7;
+            let edges = [
+                DVec3::new(0.1, 0.2, 0.3),
+                DVec3::new(1.1, 0.2, 0.3),
+                DVec3::new(0.0, 0.2 - 0.4 * tilt, 0.3 + height),
+                DVec3::new(0.9, 0.2 + 0.5 * tilt, 0.3 + height),
+            ];
+            // At their ends they are so much farther apart sideways.
+            let Nearest { apart, .. } = of_edges(&edges);
+            assert!((apart.length() - height).abs() < 1e-2 * height, "{tilt}: {apart}");
         }
     }
 }

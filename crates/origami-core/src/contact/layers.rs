@@ -1,5 +1,6 @@
 //! A sheet whose layers push each other away: forces at its positions, and how far it may move from there.
 
+mod closing;
 mod limits;
 mod listing;
 #[cfg(test)]
@@ -181,8 +182,13 @@ impl Layers {
         self.pushing().map(|(_, near)| near.gap).fold(f64::INFINITY, f64::min)
     }
 
+    /// How stiff the push is.
+    #[cfg(feature = "newton")]
+    pub(super) fn stiffness(&self) -> f64 {
+        self.contact.stiffness
+    }
+
     /// The energy of all gaps, as last measured.
-    #[cfg(test)]
     pub(crate) fn energy(&self, positions: &[DVec3]) -> f64 {
         self.pushing()
             .map(|(pair, near)| {

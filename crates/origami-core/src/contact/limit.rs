@@ -12,10 +12,11 @@ use crate::ids::NodeId;
 
 /// The share of a gap that one move may use up.
 pub const USABLE: f64 = 0.5;
-/// A pair is looked at before a move if its gap is below so many times what both of its things may move.
-pub const WITHIN: f64 = 1.2;
+/// A pair is looked at before a move if its gap, but for what is never used up of it, is below so many times what both of its
+/// things may move: what is not looked at uses up no more than a move may.
+pub const WITHIN: f64 = 1.0 / USABLE;
 /// The share of a pair's width that is never used up: without it gaps would shrink to nothing by halves.
-const FLOOR: f64 = 1e-3;
+pub(super) const FLOOR: f64 = 1e-3;
 
 /// By node the share of its move that it may make; only ever made less.
 pub(super) struct Shares<'a>(pub(super) &'a mut [f64]);

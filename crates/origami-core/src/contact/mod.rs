@@ -11,6 +11,8 @@ mod barrier;
 mod boxes;
 mod crossings;
 mod distance;
+#[cfg(feature = "newton")]
+pub(crate) mod hessian;
 mod lanes;
 mod layers;
 mod limit;

@@ -140,8 +140,8 @@ impl Finder {
         let points = (0..mesh.node_count()).filter(|n| !mesh.triangles_of_node.row(*n).is_empty());
         let paper = mesh.sides.iter().filter(|side| side.triangles.iter().any(Option::is_some));
         let paper: Vec<&Side> = paper.collect();
-        let Contact { gap, thickness, .. } = contact;
-        let wedges = (thickness > 0.0).then(|| Wedges::new(mesh, rest, &paper, thickness));
+        let (gap, closed) = (contact.gap, contact.closed());
+        let wedges = (closed > 0.0).then(|| Wedges::new(mesh, rest, &paper, closed));
         let edges: Vec<[NodeId; 2]> = paper.iter().map(|side| side.nodes).collect();
         Self {
             shared: false,
@@ -155,7 +155,7 @@ impl Finder {
             rest: rest.to_vec(),
             gap,
             wedges,
-            thickest: THICKEST * thickness,
+            thickest: THICKEST * closed,
         }
     }
 

@@ -30,6 +30,8 @@ pub struct Touch {
     pub limited: u64,
     /// The least gap at the end, in radii; infinite where nothing touches.
     pub least_gap: f64,
+    /// The energy of all gaps at the end, in the model's unit.
+    pub energy: f64,
     /// The crease that is farthest from the angle asked of it, and how far, in radians.
     pub farthest: Option<(CreaseId, f64)>,
     /// Most pairs that were listed at one time.
@@ -136,6 +138,7 @@ pub(super) fn touched(model: &Model, layers: &Layers, state: &State, counted: To
     Touch {
         pressing: pressing(&model.mesh, layers, &state.positions),
         least_gap: layers.least_gap(),
+        energy: layers.energy(&state.positions),
         farthest: farthest(&state.fold_angles, &state.targets),
         ..counted
     }

@@ -10,9 +10,12 @@
 
 #[doc(hidden)]
 pub mod attempt;
+mod backwards;
 mod bare_kernel;
 mod clock;
 mod clusters;
+mod contact_begin;
+mod contact_dynamics;
 mod contact_end;
 mod contact_relax;
 mod crushed;
@@ -47,8 +50,10 @@ mod sweep;
 mod threads;
 pub mod time_step;
 
+pub use backwards::{Backwards, Motion, NotBackwards};
 #[doc(hidden)]
 pub use bare_kernel::BareKernel;
+pub use contact_dynamics::ContactDynamics;
 #[doc(hidden)]
 pub use contact_end::{Came, Ended, contact_patience};
 pub use contact_end::{Touch, Touching};
@@ -62,7 +67,7 @@ pub use failed::Failed;
 pub use guard::{Diverged, Quantity};
 pub use integrator::Integrator;
 #[cfg(feature = "newton")]
-pub use newton::Newton;
+pub use newton::{ContactNewton, Newton};
 pub use path::{PathFailed, fold_path, fold_path_from, frame_percents};
 pub use positions::{Positions, Units};
 pub use precision::Precision;

@@ -1,7 +1,9 @@
 //! Triangles that lie upon each other in a circle.
 
-use super::order::Order;
-use super::pairs::Pairs;
+use origami_core::layers::order::Order;
+use origami_core::layers::pairs::Pairs;
+
+use super::LAYER;
 
 /// Pairs that lie upon each other in a circle, the lower one first; but none of a stack in which paper has gone through
 /// paper, where pairs contradict what depth shows, and none that is seen as it lies.
@@ -18,7 +20,7 @@ pub(super) fn circles(pairs: &Pairs, order: &Order, circling: &[bool]) -> Vec<[u
     };
     (0..pairs.triangles.len())
         .filter(in_circle)
-        .filter(|pair| !tangled[stack(*pair)] && !pairs.is_apart(*pair))
+        .filter(|pair| !tangled[stack(*pair)] && !pairs.is_apart(*pair, LAYER))
         .map(upwards)
         .collect()
 }

@@ -12,20 +12,22 @@
 //! what hangs on a stack moves with it. So no layer comes before paper that lies in front of its stack.
 
 mod circles;
-mod conditions;
-mod face_orders;
-mod order;
-mod overlap;
-mod pairs;
 mod spread;
 
-use origami_core::Model;
 use origami_core::glam::DVec3;
+pub use origami_core::layers::FaceOrder;
+use origami_core::layers::conditions;
+use origami_core::layers::order::Order;
+pub use origami_core::layers::pairs::NEAR;
+use origami_core::layers::pairs::{FAR, Pairs};
+use origami_core::{Model, State};
 
-pub use face_orders::{FaceOrder, face_orders};
-use order::Order;
-pub use pairs::NEAR;
-use pairs::{FAR, Pairs};
+/// The order of all pairs of faces that lie upon each other in a state ([`origami_core::layers::face_orders`]). `None` where the
+/// sheet is not folded flat, or has too many layers to tell.
+#[must_use]
+pub fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
+    origami_core::layers::face_orders(model, &state.positions, &state.fold_angles)
+}
 
 /// How a triangle is moved in depth, and nowhere else, so that it is seen to lie where it belongs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -131,7 +133,7 @@ mod tests {
         let stack = stack(&model, &positions, &[]);
         assert!(pairs.triangles.len() > 20 && stack.circles.is_empty());
         for (pair, contacts) in pairs.contacts.iter().enumerate() {
-            let gap = |contact: &pairs::Contact| {
+            let gap = |contact: &origami_core::layers::pairs::Contact| {
                 let at = |k: usize| {
                     let heights = stack.layers[pairs.triangles[pair][k] as usize].heights;
                     (0..3).map(|c| contact.weights[k][c] * f64::from(heights[c])).sum::<f64>()

@@ -2,10 +2,10 @@
 
 use origami_core::Model;
 use origami_core::glam::DVec3;
+use origami_core::layers::order::Order;
+use origami_core::layers::pairs::{Contact, PARALLEL, Pairs, ROUNDING};
 
 use super::LAYER;
-use super::order::Order;
-use super::pairs::{Contact, PARALLEL, Pairs, ROUNDING};
 
 /// Heights of all triangles' corners with which each pair is a [`LAYER`] apart wherever they overlap.
 ///
@@ -50,7 +50,7 @@ pub(super) fn spread(model: &Model, pairs: &Pairs, order: &Order, circling: &[bo
 
 /// How far apart a pair is to be, in radii.
 fn least(pairs: &Pairs, pair: usize) -> f64 {
-    if pairs.is_apart(pair) { 0.0 } else { LAYER }
+    if pairs.is_apart(pair, LAYER) { 0.0 } else { LAYER }
 }
 
 /// To begin with: layers counted from the bottom of each stack, its middle at 0.

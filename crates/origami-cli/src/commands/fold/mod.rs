@@ -4,6 +4,7 @@ mod one;
 mod order;
 mod queue;
 mod summary;
+mod touching;
 
 use std::path::Path;
 
@@ -73,7 +74,8 @@ fn plan(args: &FoldArgs, inputs: &[Input]) -> Result<Vec<Vec<Target>>, String> {
     }
     if let Some(path) = &args.animate {
         draw::check_film(path)?;
-        if args.frames.is_none() && args.turntable.is_none() && args.contact.sequence.is_none() {
+        let goes = args.contact.sequence.is_some() || args.contact.backwards;
+        if args.frames.is_none() && args.turntable.is_none() && !goes {
             return Err("--animate: nothing moves; expected --frames N, --turntable N, both or --sequence".to_owned());
         }
         files::plan_drawing(inputs, &mut targets, "--animate", path, Format::Film)?;

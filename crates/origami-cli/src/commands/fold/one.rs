@@ -7,11 +7,12 @@ use origami::error::WarningCode;
 use origami::export::Template;
 use origami::measure::attitude;
 use origami::model::Model;
-use origami::solve::{ContactRelax, Failed, Folded, Progress, Stop, crushed_triangles, fold_path_from};
+use origami::solve::{Failed, Folded, Progress, Stop, crushed_triangles, fold_path_from};
 use origami::{CreasePattern, Error, Warning, measure};
 
 use super::order::{self, Ended, Order};
 use super::summary::{self, Told};
+use super::touching::in_contact;
 use crate::backend::Method;
 use crate::draw::{self, Artist, Subject};
 use crate::exit::Exit;
@@ -99,12 +100,11 @@ fn attempt(
         scene_warnings(&pattern, &model, &settings.percents, computer.adapter.is_some().then_some(settings.tolerance));
     told.warnings.extend(warnings.iter().cloned().chain(computer.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
-    let in_contact = |solver| settings.backend.in_contact(solver);
-    let inventory = match (settings.contact.map(|asked| asked.of(&model)), &settings.method) {
-        (Some(contact), Method::Relax(relax)) => {
-            in_contact(ContactRelax { relax: relax.clone(), contact }).inventory(&model)
-        }
-        _ => computer.solver.inventory(&model),
+    let contact = settings.contact.map(|asked| asked.of(&model));
+    let touching = contact.and_then(|contact| in_contact(settings, contact));
+    let inventory = match &touching {
+        Some(make) => make(false).inventory(&model),
+        None => computer.solver.inventory(&model),
     };
     let scene = SceneFacts::new(&pattern, &model, &inventory, &warnings);
     let start = match settings.start(&model) {
@@ -117,17 +117,21 @@ fn attempt(
         let over = end.is_some_and(|end| Instant::now() >= end);
         if over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let (mut steps, mut touches) = (Vec::new(), Vec::new());
+    let (mut steps, mut touches, mut orders) = (Vec::new(), Vec::new(), None);
     let mut path = |percents: &[f64], before: usize| {
-        let gone = match (&stages, settings.contact.map(|asked| asked.of(&model)), &settings.method) {
-            (Some(stages), contact, Method::Relax(relax)) => {
+        let gone = match (&stages, &touching, &settings.method) {
+            (Some(stages), _, Method::Relax(relax)) => {
                 // How many stages there are is not known where the way is told.
                 let mut watched = |_, progress| watched(0, progress);
                 order::in_steps(&model, (relax, contact), &start, (stages, settings.parts), &mut watched)?
             }
-            (None, Some(contact), Method::Relax(relax)) => {
+            (None, Some(_), Method::Relax(relax)) if let Some((stages, contact)) = settings.backwards.zip(contact) => {
+                let mut watched = |progress| watched(0, progress);
+                order::backwards(&model, (relax, contact), stages, &mut watched)?
+            }
+            (None, Some(make), _) => {
                 let mut watched = |stage, progress| watched(before + stage, progress);
-                order::in_contact(&model, (relax, contact, &in_contact), &start, percents, &mut watched)?
+                order::in_contact(&model, make, &start, percents, &mut watched)?
             }
             _ => {
                 let mut watched = |stage, progress| watched(before + stage, progress);
@@ -136,7 +140,7 @@ fn attempt(
             }
         };
         if before == 0 {
-            (steps, touches) = (gone.steps, gone.touches);
+            (steps, touches, orders) = (gone.steps, gone.touches, gone.orders);
         }
         Ok(gone.states)
     };
@@ -167,7 +171,7 @@ fn attempt(
     let (mut states, mut shown) = match solved {
         Ok(solved) => solved,
         Err(failed) => {
-            let Failed::Diverged(diverged) = &*failed.failed else {
+            let Some(Failed::Diverged(diverged)) = failed.failed.as_deref() else {
                 return Ok(refused(input, &failed.message, told));
             };
             run.measured = Measured {
@@ -223,6 +227,7 @@ fn attempt(
         model: &model,
         states: &states,
         steps: &steps,
+        orders: orders.as_deref(),
         animated: settings.animated,
         artist: &artist,
         thickness: settings.contact.and_then(|asked| asked.thickness),
@@ -306,6 +311,7 @@ fn draw_pattern(
         model,
         states: &[],
         steps: &[],
+        orders: None,
         animated: false,
         artist: &artist,
         thickness: None,

@@ -5,11 +5,13 @@ use std::path::Path;
 
 use origami::contact::Contact;
 use origami::fold::{Document, Frame};
+use origami::layers::FaceOrder;
 use origami::model::Model;
 use origami::scene::Scene;
 use origami::sequence::{SEQUENCE, Sequence, Stage, TIMELINE};
 use origami::solve::{
-    ContactRelax, Failed, Folded, PathFailed, Progress, Relax, SequenceFailed, State, Stop, Touching, fold_sequence,
+    Backwards, Failed, Folded, NotBackwards, PathFailed, Progress, Relax, SequenceFailed, State, Stop, Touching,
+    fold_sequence,
 };
 use origami::{CreasePattern, Error};
 
@@ -30,7 +32,8 @@ pub(super) struct Ended {
     pub(super) states: Vec<Folded>,
     /// The percentage that it was on its way to; NaN in a sequence.
     pub(super) percent: f64,
-    pub(super) failed: Box<Failed>,
+    /// Of a solver; else there is no way.
+    pub(super) failed: Option<Box<Failed>>,
     /// All of it, for a person.
     pub(super) message: String,
 }
@@ -38,7 +41,7 @@ pub(super) struct Ended {
 impl From<PathFailed> for Ended {
     fn from(failed: PathFailed) -> Self {
         let message = failed.to_string();
-        Self { states: failed.states, percent: failed.percent, failed: Box::new(failed.failed), message }
+        Self { states: failed.states, percent: failed.percent, failed: Some(Box::new(failed.failed)), message }
     }
 }
 
@@ -46,7 +49,15 @@ impl From<SequenceFailed> for Ended {
     fn from(failed: SequenceFailed) -> Self {
         let message = failed.to_string();
         let states = failed.states.into_iter().map(|reached| reached.folded).collect();
-        Self { states, percent: f64::NAN, failed: Box::new(failed.failed), message }
+        Self { states, percent: f64::NAN, failed: Some(Box::new(failed.failed)), message }
+    }
+}
+
+impl From<NotBackwards> for Ended {
+    fn from(why: NotBackwards) -> Self {
+        let message = format!("--backwards: {why}");
+        let failed = if let NotBackwards::Failed(failed) = why { Some(Box::new(failed)) } else { None };
+        Self { states: Vec::new(), percent: 100.0, failed, message }
     }
 }
 
@@ -107,6 +118,8 @@ pub(super) struct Gone {
     pub(super) steps: Vec<String>,
     /// Under contact what that did.
     pub(super) touches: Vec<ContactFacts>,
+    /// Which face lies on which in the last, where that is known and its positions do not tell it.
+    pub(super) orders: Option<Vec<FaceOrder>>,
 }
 
 /// Goes through `stages`, under contact or without.
@@ -129,27 +142,37 @@ pub(super) fn in_steps(
     Ok(gone)
 }
 
-/// Folds to each percentage in turn under contact, by what `solver` makes of settings.
+/// Finds the motion to the flat-folded state from there.
+pub(super) fn backwards(
+    model: &Model,
+    (relax, contact): (&Relax, Contact),
+    stages: u32,
+    observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Gone, Ended> {
+    let motion = Backwards { relax: relax.clone(), contact }.fold(model, stages, observe)?;
+    Ok(Gone { states: motion.states, orders: Some(motion.stacking.faces), ..Gone::default() })
+}
+
+/// Folds to each percentage in turn under contact, by what `solver` makes, which is told whether the sheet goes on, off every
+/// symmetry.
 pub(super) fn in_contact(
     model: &Model,
-    (relax, contact, solver): (&Relax, Contact, &dyn Fn(ContactRelax) -> Box<dyn Touching>),
+    solver: &dyn Fn(bool) -> Box<dyn Touching>,
     start: &State,
     percents: &[f64],
     observe: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Result<Gone, Ended> {
-    let mut settings = ContactRelax { relax: relax.clone(), contact };
-    let (mut gone, mut from) = (Gone::default(), 0.0);
+    let (mut gone, mut from, mut goes_on) = (Gone::default(), 0.0, false);
     for (number, &percent) in percents.iter().enumerate() {
         let before = gone.states.last().map_or(start, |folded| &folded.state);
-        let (solver, scene) = (solver(settings.clone()), Scene::percent(percent));
+        let (solver, scene) = (solver(goes_on), Scene::percent(percent));
         let folded = solver.fold_touching(model, before, &scene, &mut |progress| observe(number, progress));
         let (folded, touch) = match folded {
             Ok(folded) => folded,
             Err(failed) => return Err(PathFailed { states: gone.states, percent, failed }.into()),
         };
         if before.targets != folded.state.targets {
-            // The sheet is off every symmetry from its first move on.
-            settings.relax.perturbation = 0.0;
+            goes_on = true;
         }
         let (blocked, ended) = (folded.stop == Stop::Blocked, folded.stop == Stop::Cancelled);
         gone.touches.push(ContactFacts::new(model, &touch, blocked, Some([from, percent])));

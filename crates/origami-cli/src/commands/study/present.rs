@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use origami::study::{Options, StudyError, Watch, accuracy, contact, flat, stability};
+use origami::study::{Options, StudyError, Watch, accuracy, backwards, contact, flat, stability};
 
 use super::{folder, patterns};
 use crate::args::{BackendName, StudyArgs, StudyBackend, StudyName, is_named};
@@ -34,6 +34,7 @@ pub(in crate::commands) fn run(args: &StudyArgs) -> Result<Exit, Failure> {
         StudyName::Stability => "stability.md",
         StudyName::Flat => "flat.md",
         StudyName::Contact => "contact.md",
+        StudyName::Backwards => "backwards.md",
     };
     folder::make(&args.output, document)?;
     if !args.quiet && is_named(args.adapter.as_deref()) && args.backend == StudyBackend::Cpu {
@@ -48,6 +49,7 @@ pub(in crate::commands) fn run(args: &StudyArgs) -> Result<Exit, Failure> {
         StudyName::Stability => stability::study(&options, &mut follower),
         StudyName::Flat => flat::study(&options, &mut follower),
         StudyName::Contact => contact::study(&options, &mut follower),
+        StudyName::Backwards => backwards::study(&options, &mut follower),
     };
     follower.line.finish();
     let paths = done.and_then(|study| study.write(&args.output)).map_err(failure)?;

@@ -257,6 +257,7 @@ impl Work<'_> {
         let sheet = Sheet {
             name: "sheet",
             steps: &[],
+            orders: None,
             template: self.template,
             pattern: self.pattern,
             model,

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::limit::{Shares, WITHIN, limit_pair};
+use super::super::limit::{FLOOR, Shares, WITHIN, limit_pair};
 use super::Layers;
 use crate::ids::NodeId;
 
@@ -25,7 +25,7 @@ impl Layers {
             }
             let pair = &pairs[brief.number as usize];
             let (first, second) = pair.nodes.split_at(pair.split);
-            let within = WITHIN * (most(first) + most(second));
+            let within = WITHIN * (most(first) + most(second)) + FLOOR * pair.width;
             if *due - 2.0 * *way < within {
                 let near = pair.near(brief.number, positions);
                 *due = near.gap + 2.0 * *way;
@@ -45,7 +45,11 @@ impl Layers {
 
     /// Sees to it that all pairs are known that may be in the way of moves no longer than this: they are due before the result.
     fn look_for_limits(&mut self, positions: &[DVec3], largest: f64) -> f64 {
-        let within = 2.0 * WITHIN * largest;
+        self.look_for_near_within(positions, 2.0 * WITHIN * largest + FLOOR * self.contact.gap)
+    }
+
+    /// Sees to it that all pairs are known whose gap may be below `within`: they are due before the result.
+    pub(super) fn look_for_near_within(&mut self, positions: &[DVec3], within: f64) -> f64 {
         let known = !self.near.is_empty();
         if self.list_for(positions, within.max(self.contact.gap)) && known {
             // They have other places in the list.

@@ -10,12 +10,13 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::contact_begin::check_contact;
 use super::contact_end::{Touch, Touching};
 use super::threads::{count, share};
-use super::{Failed, Folded, Precision, Progress, Relax, Solver, State, unwatched};
+use super::{Failed, Folded, Progress, Relax, Solver, State, unwatched};
 use crate::contact::Contact;
 use crate::model::{Inventory, Model};
-use crate::scene::{Refusal, Scene};
+use crate::scene::Scene;
 use run::Run;
 
 /// [`Relax`] of a sheet whose layers push each other away, and through which nothing goes: a state without crossings stays one.
@@ -101,39 +102,11 @@ impl ContactRelax {
     ) -> Result<(Folded, Touch), Failed> {
         let refused = |refusal| Failed::refused(refusal, start);
         self.relax.check(model, scene).map_err(refused)?;
-        self.check(scene).map_err(refused)?;
+        check_contact(self.contact, self.relax.precision, scene).map_err(refused)?;
         let targets = scene.targets.of(model).map_err(refused)?;
         let positions = self.relax.first_positions(model, start, scene, &targets);
         let mut run = Run::new(self, (model, scene, start), (positions, targets), threads)?;
         let stop = run.go(observe, look)?;
         Ok(run.into_folded(stop))
-    }
-
-    fn check(&self, scene: &Scene) -> Result<(), Refusal> {
-        let Contact { gap, stiffness, thickness } = self.contact;
-        for (what, value) in [("gap", gap), ("stiffness", stiffness)] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(Refusal::Contact { what, value });
-            }
-        }
-        if !(thickness.is_finite() && thickness >= 0.0) {
-            return Err(Refusal::Contact { what: "thickness", value: thickness });
-        }
-        if self.relax.precision != Precision::F64 {
-            return Err(Refusal::Unsupported {
-                what: "numbers of mixed precision",
-                backend: "contact",
-                expected: "f64",
-            });
-        }
-        if scene.forces.is_empty() {
-            Ok(())
-        } else {
-            Err(Refusal::Unsupported {
-                what: "forces",
-                backend: "contact",
-                expected: "a scene without forces of one's own",
-            })
-        }
     }
 }

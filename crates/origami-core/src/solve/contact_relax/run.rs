@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::super::contact_begin::first_layers;
 use super::super::contact_end::{Touch, contact_patience, farthest, is_held_up, residual, touched};
 use super::super::guard::Guard;
 use super::super::ramp::Ramp;
@@ -12,10 +13,10 @@ use super::super::settle::Settling;
 use super::super::surroundings::Surroundings;
 use super::super::{Failed, Folded, Progress, REPORT, State, Stop};
 use super::ContactRelax;
-use crate::contact::{Crossings, Layers};
+use crate::contact::Layers;
 use crate::kernel::{Bounds, Kernel};
 use crate::model::Model;
-use crate::scene::{Refusal, Scene};
+use crate::scene::Scene;
 use crate::twins::checkpoint::COPY_EVERY;
 use crate::twins::fire_update::{Fire, HOLD};
 use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
@@ -57,7 +58,6 @@ impl<'a> Run<'a> {
         (positions, targets): (Vec<DVec3>, Vec<f64>),
         threads: usize,
     ) -> Result<Self, Failed> {
-        let refused = |refusal| Failed::refused(refusal, start);
         let length = solver.relax.ramp.unwrap_or_else(|| ramp_between(model, start.targets.iter().copied(), &targets));
         let ramp = Ramp::new(&start.targets, targets, length);
         let bounds = Bounds { farthest: FARTHEST, longest_move: LONGEST_MOVE };
@@ -65,15 +65,8 @@ impl<'a> Run<'a> {
         let mut surroundings = Surroundings::new(model, scene);
         surroundings.install(model, &mut kernel);
         kernel.set_targets(ramp.targets());
-        let crossings = Crossings::of(&model.mesh, &positions);
-        if let Some([one, other]) = crossings.faces.first() {
-            return Err(refused(Refusal::Crossed { faces: [*one, *other] }));
-        }
-        let mut layers = Layers::new(&model.mesh, &model.rest, solver.contact, threads > 1);
-        layers.measure(&positions);
-        if layers.least_gap() <= 0.0 {
-            return Err(refused(Refusal::Closed { gap: layers.least_gap() }));
-        }
+        let layers = first_layers(model, &positions, solver.contact, threads > 1);
+        let layers = layers.map_err(|refusal| Failed::refused(refusal, start))?;
         let nodes = model.node_count();
         Ok(Self {
             solver,

@@ -2,11 +2,13 @@
 //! leads down, on frustrated patterns too.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::factor::Factor;
 use super::matrix::Matrix;
+use super::pressed::Pressed;
 use super::rigid::Rigid;
 use crate::forces::Forces;
 use crate::model::Model;
@@ -90,6 +92,8 @@ pub(super) struct Descent<'m> {
     column: Vec<f64>,
     step: Vec<DVec3>,
     shift: f64,
+    /// What keeps layers apart; it is one of the scene's forces too.
+    pressed: Option<Arc<Pressed>>,
     pub(super) factorisations: u32,
     pub(super) evaluations: u64,
     /// Evaluations that are allowed.
@@ -99,12 +103,26 @@ pub(super) struct Descent<'m> {
 impl<'m> Descent<'m> {
     /// `None` where the factors do not fit into memory.
     pub(super) fn new(model: &'m Model, scene: &Scene) -> Option<Self> {
+        Self::made((model, scene), None, Rigid::new(model, scene))
+    }
+
+    /// The same of a sheet whose layers press on each other. Where other layers begin to, it is to be made anew.
+    pub(super) fn under_contact(model: &'m Model, scene: &Scene, pressed: Arc<Pressed>) -> Option<Self> {
+        // A turn of the whole sheet costs contact nothing.
+        let rigid = Rigid::new(model, scene);
+        let mut scene = scene.clone();
+        scene.forces.push(pressed.clone());
+        Self::made((model, &scene), Some(pressed), rigid)
+    }
+
+    fn made((model, scene): (&'m Model, &Scene), pressed: Option<Arc<Pressed>>, rigid: Rigid) -> Option<Self> {
         let matrix = Matrix::new(model, scene);
         let factor = Factor::new(matrix.structure())?;
         Some(Self {
             model,
             factor,
-            rigid: Rigid::new(model, scene),
+            rigid,
+            pressed,
             forces: Forces::in_scene(model, scene),
             scene: scene.clone(),
             column: vec![0.0; matrix.size()],
@@ -229,6 +247,9 @@ impl<'m> Descent<'m> {
         // Of the Hessian itself: the step solves (H + shift W) step = forces.
         let curvature = slope - self.shift * self.matrix.weighted_square(&self.step);
         let mut share = (LONGEST_MOVE / longest(&self.step)).min(1.0);
+        if let Some(pressed) = &self.pressed {
+            share = share.min(pressed.share(&state.positions, &self.step));
+        }
         for halvings in 0..=HALVINGS {
             let promised = share * slope - 0.5 * share * share * curvature;
             let mut trial = state.clone();

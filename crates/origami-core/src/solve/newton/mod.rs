@@ -1,11 +1,14 @@
 //! The reference: Newton's method on the exact energy, to a residual at which nothing is left to converge.
 
 pub(super) mod approach;
+mod contact;
 mod descent;
 mod factor;
 mod matrix;
+mod pressed;
 mod rigid;
 
+pub use contact::ContactNewton;
 pub use descent::Stability;
 #[cfg(feature = "analysis")]
 pub(crate) use factor::Factor;

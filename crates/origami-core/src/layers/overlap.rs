@@ -1,11 +1,15 @@
 //! What two triangles of a plane have in common.
 
-use origami_core::glam::DVec2;
+use glam::DVec2;
 
 /// The common part of two triangles (Sutherland and Hodgman, Commun. ACM 17, 1974).
 pub(super) fn overlap(a: &[DVec2; 3], b: &[DVec2; 3]) -> Vec<DVec2> {
+    clipped(a.to_vec(), b)
+}
+
+/// The part of a convex polygon that lies in a triangle.
+pub(super) fn clipped(mut clipped: Vec<DVec2>, b: &[DVec2; 3]) -> Vec<DVec2> {
     let turn = (b[1] - b[0]).perp_dot(b[2] - b[0]).signum();
-    let mut clipped = a.to_vec();
     for i in 0..3 {
         let (start, along) = (b[i], b[(i + 1) % 3] - b[i]);
         let inside = |p: DVec2| turn * along.perp_dot(p - start);

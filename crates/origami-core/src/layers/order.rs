@@ -4,13 +4,13 @@ use super::pairs::Pairs;
 
 /// A pair's answer as it stands, or turned around.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Literal {
-    pub(super) pair: usize,
-    pub(super) turned: bool,
+pub struct Literal {
+    pub pair: usize,
+    pub turned: bool,
 }
 
 /// Answers by pair: whether its second triangle is above the first.
-pub(super) struct Order<'a> {
+pub struct Order<'a> {
     pairs: &'a Pairs,
     answers: Vec<Option<bool>>,
     /// Conditions that an even number of these literals is false.
@@ -18,10 +18,16 @@ pub(super) struct Order<'a> {
     conditions_of: Vec<Vec<u32>>,
     /// Pairs that have been answered and whose consequences have not been drawn.
     open: Vec<usize>,
+    /// Pairs in the order in which they were answered.
+    trail: Vec<usize>,
+    /// Whether two demands have asked for different answers, or a condition does not hold.
+    contradicted: bool,
+    /// By pair the triangles for which above what is above is above; empty: all that lie upon both.
+    thirds: Vec<Vec<u32>>,
 }
 
 impl<'a> Order<'a> {
-    pub(super) fn new(pairs: &'a Pairs) -> Self {
+    pub fn new(pairs: &'a Pairs) -> Self {
         let count = pairs.triangles.len();
         Self {
             pairs,
@@ -29,24 +35,32 @@ impl<'a> Order<'a> {
             conditions: Vec::new(),
             conditions_of: vec![Vec::new(); count],
             open: Vec::new(),
+            trail: Vec::new(),
+            contradicted: false,
+            thirds: Vec::new(),
         }
     }
 
     /// The literal that `b` is above `a`, if they lie upon each other.
-    pub(super) fn is_above(&self, a: u32, b: u32) -> Option<Literal> {
+    pub fn is_above(&self, a: u32, b: u32) -> Option<Literal> {
         self.pairs.between(a, b).map(|(pair, second)| Literal { pair, turned: !second })
     }
 
     /// Demands that the literal holds, unless another demand came first.
-    pub(super) fn demand(&mut self, literal: Literal, holds: bool) {
-        if self.answers[literal.pair].is_none() {
-            self.answers[literal.pair] = Some(holds != literal.turned);
-            self.open.push(literal.pair);
+    pub fn demand(&mut self, literal: Literal, holds: bool) {
+        let wanted = holds != literal.turned;
+        match self.answers[literal.pair] {
+            Some(answer) => self.contradicted |= answer != wanted,
+            None => {
+                self.answers[literal.pair] = Some(wanted);
+                self.trail.push(literal.pair);
+                self.open.push(literal.pair);
+            }
         }
     }
 
     /// Demands that an even number of the literals does not hold: two are equal, four do not interleave.
-    pub(super) fn demand_even(&mut self, literals: &[Literal]) {
+    pub fn demand_even(&mut self, literals: &[Literal]) {
         let name = self.conditions.len() as u32;
         literals.iter().for_each(|literal| self.conditions_of[literal.pair].push(name));
         self.conditions.push(literals.to_vec());
@@ -54,7 +68,7 @@ impl<'a> Order<'a> {
 
     /// Answers every pair: what follows from the demands first, then by height, the clearest one next, each with what
     /// follows from it.
-    pub(super) fn decide(&mut self) {
+    pub fn decide(&mut self) {
         self.follow();
         let heights = &self.pairs.heights;
         let mut rest: Vec<usize> = (0..heights.len()).collect();
@@ -66,8 +80,49 @@ impl<'a> Order<'a> {
     }
 
     /// Whether the second of the pair is above the first.
-    pub(super) fn above(&self, pair: usize) -> bool {
+    pub fn above(&self, pair: usize) -> bool {
         self.answers[pair].unwrap_or_default()
+    }
+
+    pub(super) fn pairs(&self) -> &'a Pairs {
+        self.pairs
+    }
+
+    /// Pairs that a condition links to this one.
+    pub(super) fn linked(&self, pair: usize) -> impl Iterator<Item = usize> {
+        let conditions = self.conditions_of[pair].iter().map(|name| &self.conditions[*name as usize]);
+        conditions.flatten().map(|literal| literal.pair)
+    }
+
+    /// By pair the triangles for which above what is above is above, in place of all that lie upon both.
+    pub(super) fn limit_to(&mut self, thirds: Vec<Vec<u32>>) {
+        self.thirds = thirds;
+    }
+
+    pub(super) fn is_answered(&self, pair: usize) -> bool {
+        self.answers[pair].is_some()
+    }
+
+    /// How many pairs are answered.
+    pub(super) fn answered(&self) -> usize {
+        self.trail.len()
+    }
+
+    /// Takes back all answers but the first so many.
+    pub(super) fn take_back(&mut self, to: usize) {
+        for pair in self.trail.drain(to..) {
+            self.answers[pair] = None;
+        }
+        self.open.clear();
+    }
+
+    pub(super) fn contradict(&mut self) {
+        self.contradicted = true;
+    }
+
+    /// Whether there was a contradiction; from here on there is none.
+    pub(super) fn take_contradiction(&mut self) -> bool {
+        std::mem::take(&mut self.contradicted)
     }
 
     fn value(&self, literal: Literal) -> Option<bool> {
@@ -75,7 +130,7 @@ impl<'a> Order<'a> {
     }
 
     /// Draws all consequences of what has been answered.
-    fn follow(&mut self) {
+    pub(super) fn follow(&mut self) {
         while let Some(pair) = self.open.pop() {
             for condition in 0..self.conditions_of[pair].len() {
                 self.follow_condition(self.conditions_of[pair][condition] as usize);
@@ -93,8 +148,9 @@ impl<'a> Order<'a> {
                 None => missing = Some(*literal),
             }
         }
-        if let Some(literal) = missing {
-            self.demand(literal, even);
+        match missing {
+            Some(literal) => self.demand(literal, even),
+            None => self.contradicted |= !even,
         }
     }
 
@@ -103,8 +159,13 @@ impl<'a> Order<'a> {
         let [i, j] = self.pairs.triangles[pair];
         let (low, high) = if self.above(pair) { (i, j) } else { (j, i) };
         let pairs = self.pairs;
-        for (third, _) in pairs.of(low as usize) {
-            let third = *third;
+        let listed = self.thirds.get(pair).map_or(0, Vec::len);
+        let all = if self.thirds.is_empty() { pairs.of(low as usize).len() } else { listed };
+        for place in 0..all {
+            let third = match self.thirds.get(pair) {
+                Some(thirds) => thirds[place],
+                None => pairs.of(low as usize)[place].0,
+            };
             let [Some(on_low), Some(on_high)] = [low, high].map(|t| self.is_above(t, third)) else { continue };
             if self.value(on_high) == Some(true) {
                 self.demand(on_low, true);

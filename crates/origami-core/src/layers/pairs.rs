@@ -2,11 +2,10 @@
 
 use std::f64::consts::PI;
 
-use origami_core::Model;
-use origami_core::contact::Crossings;
-use origami_core::glam::{DVec2, DVec3};
+use crate::contact::Crossings;
+use crate::model::Model;
+use glam::{DVec2, DVec3};
 
-use super::LAYER;
 use super::overlap::{overlap, width};
 
 /// Nearer than this, in radii, depth does not tell which of two triangles is on top.
@@ -14,41 +13,41 @@ pub const NEAR: f64 = 4e-3;
 /// Two triangles that go through each other by more than this, in radii, on both sides, are shown as they are.
 const CROSSING: f64 = 2.0 * NEAR;
 /// Up to here, in radii, layers are counted together: drawing them apart must not push one through the next.
-pub(super) const FAR: f64 = 0.08;
+pub const FAR: f64 = 0.08;
 /// Cosine of the angle up to which two triangles count as parallel: 8 degrees.
-pub(super) const PARALLEL: f64 = 0.99;
+pub const PARALLEL: f64 = 0.99;
 /// An overlap that is narrower than this (in radii, area over perimeter) is rounding.
 const NARROW: f64 = 2e-3;
 /// Heights below this, in radii, are rounding: two layers meet at their crease.
-pub(super) const ROUNDING: f64 = 1e-9;
+pub const ROUNDING: f64 = 1e-9;
 /// Comparisons of bounding boxes, and pairs, after which layers are left to their depths.
 const MOST_COMPARISONS: usize = 20_000_000;
 const MOST_PAIRS: usize = 20_000;
 
 /// A point where two triangles lie upon each other.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Contact {
+pub struct Contact {
     /// Barycentric, in the first and the second.
-    pub(super) weights: [[f64; 3]; 2],
+    pub weights: [[f64; 3]; 2],
     /// How far the second lies above the first, in radii.
-    pub(super) height: f64,
+    pub height: f64,
 }
 
 /// Parallel triangles that lie upon each other.
-pub(super) struct Pairs {
+pub struct Pairs {
     /// Unit normals of all triangles; zero for a triangle of no area.
-    pub(super) normals: Vec<DVec3>,
+    pub normals: Vec<DVec3>,
     /// The direction in which layers are counted: one for all triangles that lie upon each other, directly or not, and for
     /// those beside them.
-    pub(super) up: Vec<DVec3>,
+    pub up: Vec<DVec3>,
     /// The least triangle of all that have this direction together.
-    pub(super) stacks: Vec<usize>,
+    pub stacks: Vec<usize>,
     /// By pair, the smaller first; in order.
-    pub(super) triangles: Vec<[u32; 2]>,
+    pub triangles: Vec<[u32; 2]>,
     /// By pair: the corners of what they have in common.
-    pub(super) contacts: Vec<Vec<Contact>>,
+    pub contacts: Vec<Vec<Contact>>,
     /// By pair: how far the second lies above the first on average, in radii.
-    pub(super) heights: Vec<f64>,
+    pub heights: Vec<f64>,
     /// Whether the state has layers of its own: nothing in it goes through anything and no crease is folded past half a turn, so
     /// that heights tell the order wherever they are more than rounding.
     own: bool,
@@ -60,7 +59,7 @@ pub(super) struct Pairs {
 impl Pairs {
     /// Those up to so far above each other, in radii; `angles` are those of the creases, in radians, or none. `None` where depth
     /// tells everything, or there are too many.
-    pub(super) fn find(model: &Model, positions: &[DVec3], angles: &[f64], far: f64) -> Option<Self> {
+    pub fn find(model: &Model, positions: &[DVec3], angles: &[f64], far: f64) -> Option<Self> {
         let corners = |t: usize| model.mesh.triangles[t].map(|n| positions[n.index()]);
         let count = model.mesh.triangles.len();
         let normal = |t: usize| {
@@ -121,7 +120,7 @@ impl Pairs {
     }
 
     /// Whether the second of a pair lies above the first where depth tells.
-    pub(super) fn clear(&self, pair: usize) -> Option<bool> {
+    pub fn clear(&self, pair: usize) -> Option<bool> {
         let all = |tells: fn(&Contact) -> bool| self.contacts[pair].iter().all(tells);
         if all(|contact| contact.height > NEAR) {
             Some(true)
@@ -131,34 +130,35 @@ impl Pairs {
     }
 
     /// The same in a state that has layers of its own, where the least height tells.
-    pub(super) fn own(&self, pair: usize) -> Option<bool> {
+    pub fn own(&self, pair: usize) -> Option<bool> {
         let above = self.heights[pair] > 0.0;
         let agrees = |contact: &Contact| if above { contact.height > -ROUNDING } else { contact.height < ROUNDING };
         (self.own && self.heights[pair].abs() > ROUNDING && self.contacts[pair].iter().all(agrees)).then_some(above)
     }
 
     /// Whether the state has layers of its own.
-    pub(super) fn has_own(&self) -> bool {
+    pub fn has_own(&self) -> bool {
         self.own
     }
 
-    /// Whether a pair is far enough apart to be seen as it lies.
-    pub(super) fn is_apart(&self, pair: usize) -> bool {
-        self.heights[pair].abs() > LAYER && self.own(pair).is_some()
+    /// Whether the state itself has a pair apart, by more than `least` radii on average.
+    #[must_use]
+    pub fn is_apart(&self, pair: usize, least: f64) -> bool {
+        self.heights[pair].abs() > least && self.own(pair).is_some()
     }
 
     /// Whether depth says nowhere that a pair lies the other way round: its second above the first or not, as `above` says.
-    pub(super) fn agrees(&self, pair: usize, above: bool) -> bool {
+    pub fn agrees(&self, pair: usize, above: bool) -> bool {
         self.contacts[pair].iter().all(|contact| if above { contact.height > -NEAR } else { contact.height < NEAR })
     }
 
     /// The triangles that lie upon this one, each with their pair.
-    pub(super) fn of(&self, triangle: usize) -> &[(u32, u32)] {
+    pub fn of(&self, triangle: usize) -> &[(u32, u32)] {
         &self.neighbours[self.starts[triangle]..self.starts[triangle + 1]]
     }
 
     /// The pair of two triangles, and whether `b` is its second.
-    pub(super) fn between(&self, a: u32, b: u32) -> Option<(usize, bool)> {
+    pub fn between(&self, a: u32, b: u32) -> Option<(usize, bool)> {
         let others = self.of(a as usize);
         let place = others.binary_search_by_key(&b, |(other, _)| *other).ok()?;
         Some((others[place].1 as usize, a < b))
@@ -246,17 +246,17 @@ fn barycentric(triangle: &[DVec2; 3], p: DVec2) -> [f64; 3] {
 }
 
 /// A plane through the origin, with coordinates.
-pub(super) struct Flat {
+pub struct Flat {
     axes: [DVec3; 2],
 }
 
 impl Flat {
-    pub(super) fn new(normal: DVec3) -> Self {
+    pub fn new(normal: DVec3) -> Self {
         let x = normal.any_orthonormal_vector();
         Self { axes: [x, normal.cross(x)] }
     }
 
-    pub(super) fn of(&self, p: DVec3) -> DVec2 {
+    pub fn of(&self, p: DVec3) -> DVec2 {
         DVec2::new(p.dot(self.axes[0]), p.dot(self.axes[1]))
     }
 }

@@ -1,8 +1,8 @@
 //! What folds demand of layers: paper does not go through paper.
 
-use origami_core::Model;
-use origami_core::glam::{DVec2, DVec3};
-use origami_core::model::Crease;
+use crate::model::Crease;
+use crate::model::Model;
+use glam::{DVec2, DVec3};
 
 use super::order::{Literal, Order};
 use super::overlap::{length_inside, length_shared};
@@ -24,7 +24,7 @@ struct Joint {
 /// Adds all demands to `order`.
 ///
 /// `angles` are those of the creases, in radians; where there are none, they are taken to fold as the pattern asks.
-pub(super) fn add(model: &Model, positions: &[DVec3], angles: &[f64], pairs: &Pairs, order: &mut Order) {
+pub fn add(model: &Model, positions: &[DVec3], angles: &[f64], pairs: &Pairs, order: &mut Order) {
     for pair in 0..pairs.triangles.len() {
         if let Some(above) = pairs.clear(pair) {
             order.demand(Literal { pair, turned: false }, above);
@@ -80,7 +80,7 @@ fn joints(model: &Model, positions: &[DVec3], pairs: &Pairs) -> Vec<Joint> {
             continue;
         }
         let plane = Flat::new(up);
-        let seen = |n: origami_core::ids::NodeId| plane.of(positions[n.index()]);
+        let seen = |n: crate::ids::NodeId| plane.of(positions[n.index()]);
         joints.push(Joint { triangles: [one.0, two.0], folded, ends: side.nodes.map(seen), apex: seen(apex) });
     }
     joints

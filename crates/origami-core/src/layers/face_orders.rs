@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use origami_core::glam::DVec3;
-use origami_core::ids::FaceId;
-use origami_core::{Model, State};
+use crate::ids::FaceId;
+use crate::model::Model;
+use glam::DVec3;
 
 use super::conditions;
 use super::order::Order;
@@ -28,27 +28,31 @@ pub struct FaceOrder {
     pub side: i8,
 }
 
-/// The order of all pairs of faces that lie upon each other in a state, by their numbers. `None` where
-/// the sheet is not folded flat, or has too many layers to tell ([`super::stack`]).
+/// The order of all pairs of faces that lie upon each other, by their numbers; `positions` by node, in radii, `angles` by crease,
+/// in radians. `None` where the sheet is not folded flat, or has too many layers to tell (some twenty thousand pairs of
+/// triangles upon each other).
 ///
-/// What folds and the conditions of flat folding leave open, the positions decide, as for pictures. Where that ends in three
-/// faces each of which lies on the next, which paper may do but a stack cannot, none of the three pairs is told.
+/// What folds and the conditions of flat folding leave open, the positions decide. Where that ends in three faces each of which
+/// lies on the next, which paper may do but a stack cannot, none of the three pairs is told.
 #[must_use]
-pub fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
-    let positions = &*state.positions;
+pub fn face_orders(model: &Model, positions: &[DVec3], angles: &[f64]) -> Option<Vec<FaceOrder>> {
     if positions.len() != model.node_count() {
         return None;
     }
     let thickness = thickness(model, positions)?;
-    let pairs = Pairs::find(model, positions, &state.fold_angles, FAR.max(thickness))?;
+    let pairs = Pairs::find(model, positions, angles, FAR.max(thickness))?;
     if thickness >= FLAT && !pairs.has_own() {
         return None;
     }
     let mut order = Order::new(&pairs);
-    conditions::add(model, positions, &state.fold_angles, &pairs, &mut order);
+    conditions::add(model, positions, angles, &pairs, &mut order);
     order.decide();
+    Some(told(model, &pairs, &order))
+}
 
-    let in_threes = in_threes(&pairs, &order);
+/// The order of faces that the answers about their triangles are.
+pub(super) fn told(model: &Model, pairs: &Pairs, order: &Order<'_>) -> Vec<FaceOrder> {
+    let in_threes = in_threes(pairs, order);
     let mut sides: BTreeMap<[FaceId; 2], i8> = BTreeMap::new();
     for (pair, triangles) in pairs.triangles.iter().enumerate() {
         let mut both = triangles.map(|t| (model.mesh.face_of_triangle[t as usize], t as usize));
@@ -73,7 +77,7 @@ pub fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
             *told = 0;
         }
     }
-    Some(sides.into_iter().map(|(faces, side)| FaceOrder { faces, side }).collect())
+    sides.into_iter().map(|(faces, side)| FaceOrder { faces, side }).collect()
 }
 
 /// By pair: whether it is one of three pairs of three triangles of which each lies on the next.
@@ -94,7 +98,7 @@ fn in_threes(pairs: &Pairs, order: &Order<'_>) -> Vec<bool> {
 /// How far the nodes lie apart across the plane of the largest triangle, in radii; `None` where another triangle is not
 /// parallel to it.
 fn thickness(model: &Model, positions: &[DVec3]) -> Option<f64> {
-    let area = |nodes: &[origami_core::ids::NodeId; 3]| {
+    let area = |nodes: &[crate::ids::NodeId; 3]| {
         let [a, b, c] = nodes.map(|n| positions[n.index()]);
         (b - a).cross(c - a)
     };
@@ -109,14 +113,19 @@ fn thickness(model: &Model, positions: &[DVec3]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use origami_core::contact::Contact;
-    use origami_core::fold::Document;
-    use origami_core::generate::catalog;
-    use origami_core::glam::{DQuat, DVec2};
-    use origami_core::solve::ContactRelax;
-    use origami_core::{CreasePattern, Material, Relax, Solver};
+    use crate::contact::Contact;
+    use crate::fold::Document;
+    use crate::generate::catalog;
+    use crate::solve::ContactRelax;
+    use crate::{CreasePattern, Material, Relax, Solver};
+    use glam::{DQuat, DVec2};
 
     use super::*;
+    use crate::solve::State;
+
+    fn face_orders(model: &Model, state: &State) -> Option<Vec<FaceOrder>> {
+        super::face_orders(model, &state.positions, &state.fold_angles)
+    }
 
     fn folded(pattern: &CreasePattern, percent: f64) -> (Model, State) {
         let model = Model::new(pattern, &Material::default()).unwrap();

@@ -22,7 +22,7 @@ Examples:
   origami fold *.fold -o out/ --format obj --report r.json Many at once, into a folder
   origami fold crane.fold --percent 60 --check             Which faces go through others
   origami fold crane.fold --sequence steps.json -o a.fold  One step after the other
-  origami fold crane.fold --backwards -o film.fold         A way found from the flat state, 0 crossings
+  origami fold twist.fold --backwards -o film.fold         A way that is found from the flat state
   origami fold - -o - < crane.fold > folded.fold           As a filter
   origami fold crane.fold --solver reflect -o flat.fold    The flat-folded state itself, at once
   origami fold crane.fold --percent 60 --from-flat -o a.fold  Opened from there, not closed from the sheet

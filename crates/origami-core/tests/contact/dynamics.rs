@@ -4,8 +4,8 @@ use origami_core::contact::{Contact, Crossings};
 use origami_core::glam::DVec3;
 use origami_core::scene::Scene;
 use origami_core::solve::{
-    ContactDynamics, ContactRelax, Dynamics, Folded, Integrator, Relax, State, Stop, TimeStep, Touch, time_step,
-    unwatched,
+    ContactDynamics, ContactRelax, Dynamics, Folded, Integrator, Relax, State, Stop, TimeStep, Touch, Touching,
+    time_step, unwatched,
 };
 use origami_core::{Material, Model, Solver};
 

@@ -122,7 +122,7 @@ mod tests {
         let study = study(&Options { patterns, ..Options::default() }, &mut ()).expect("they make models");
         let mut tables =
             study.parts.iter().filter_map(|part| if let Part::Table { table, .. } = part { Some(table) } else { None });
-        let rows = &tables.next_back().expect("a table").rows;
+        let rows = &tables.next().expect("a table").rows;
         let column = |key: &str| COLUMNS.iter().position(|column| column.key == key).expect(key);
         assert_eq!(rows.len(), 1);
         assert_eq!((&rows[0][column("found")], &rows[0][column("crossings")]), (&"yes".into(), &Cell::Count(0)));

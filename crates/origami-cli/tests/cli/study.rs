@@ -68,7 +68,7 @@ mod present {
         place.put("file", "");
         for (words, expected) in [
             ("study", "<STUDY>"),
-            ("study speed -o out", "accuracy, stability, flat or contact"),
+            ("study speed -o out", "accuracy, stability, flat, contact or backwards"),
             ("study accuracy square.fold", "--output"),
             ("study accuracy file -o out", "error: file: line 1: the file is empty"),
             ("study accuracy missing.fold -o out", "error: missing.fold: No such file"),

@@ -34,8 +34,9 @@ pub(crate) struct Layers {
     shared: bool,
     finder: Finder,
     skin: f64,
-    /// How far beyond the gap pairs are listed now.
+    /// How far beyond the gap pairs are listed now, and at least.
     room: f64,
+    least_room: f64,
     pairs: Vec<Pair>,
     /// By pair: its gap when it was last measured, and twice the `way` at that time. Its gap is now at least this less twice the
     /// way, so that most pairs need not be measured.
@@ -75,6 +76,7 @@ impl Layers {
             finder,
             skin,
             room: skin,
+            least_room: skin,
             pairs: Vec::new(),
             due: Vec::new(),
             way: 0.0,

@@ -18,6 +18,10 @@ pub const WITHIN: f64 = 1.0 / USABLE;
 /// The share of a pair's width that is never used up: without it gaps would shrink to nothing by halves.
 pub(super) const FLOOR: f64 = 1e-3;
 
+/// How far off the two nearest points may be by rounding, in radii. A normal is off by that over their distance, and so what lies
+/// as far from them as a radius seems to have more or less room than it has.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// By node the share of its move that it may make; only ever made less.
 pub(super) struct Shares<'a>(pub(super) &'a mut [f64]);
 
@@ -25,8 +29,9 @@ pub(super) struct Shares<'a>(pub(super) &'a mut [f64]);
 pub(super) fn limit_pair(pair: &Pair, near: &Near, (positions, moves): (&[DVec3], &[DVec3]), shares: Shares<'_>) {
     let usable = USABLE * (near.gap - FLOOR * pair.width).max(0.0);
     let (first, second) = pair.nodes.split_at(pair.split);
-    let one = Side::new(first, &near.weights[..pair.split], 1.0, near.normal, (positions, moves));
-    let other = Side::new(second, &near.weights[pair.split..], -1.0, -near.normal, (positions, moves));
+    let tilt = ROUNDING / (near.gap + pair.closed).max(f64::MIN_POSITIVE);
+    let one = Side::new(first, &near.weights[..pair.split], 1.0, (near.normal, tilt), (positions, moves));
+    let other = Side::new(second, &near.weights[pair.split..], -1.0, (-near.normal, tilt), (positions, moves));
     let all = one.approach + other.approach;
     if all <= 0.0 {
         return;
@@ -40,6 +45,8 @@ pub(super) fn limit_pair(pair: &Pair, near: &Near, (positions, moves): (&[DVec3]
 struct Side<'a> {
     nodes: &'a [NodeId],
     normal: DVec3,
+    /// How far the normal may be off, in radians.
+    tilt: f64,
     /// Its point that is nearest to the other.
     point: DVec3,
     /// How far it would come beyond that point.
@@ -51,11 +58,11 @@ impl<'a> Side<'a> {
         nodes: &'a [NodeId],
         weights: &[f64],
         sign: f64,
-        normal: DVec3,
+        (normal, tilt): (DVec3, f64),
         (positions, moves): (&[DVec3], &[DVec3]),
     ) -> Self {
         let point = nodes.iter().zip(weights).map(|(n, w)| positions[n.index()] * (sign * w)).sum();
-        let mut side = Self { nodes, normal, point, approach: 0.0 };
+        let mut side = Self { nodes, normal, tilt, point, approach: 0.0 };
         for node in nodes {
             let approach = -moves[node.index()].dot(normal) - side.room(positions[node.index()]);
             side.approach = side.approach.max(approach);
@@ -63,9 +70,11 @@ impl<'a> Side<'a> {
         side
     }
 
-    /// How far a node is behind the nearest point; below 0 by rounding alone.
+    /// How far a node is at least behind the nearest point; below 0 by rounding alone. Without what that may come to, pairs
+    /// that are pressed for long would come nearer by it each time.
     fn room(&self, position: DVec3) -> f64 {
-        (position - self.point).dot(self.normal)
+        let from = position - self.point;
+        from.dot(self.normal) - self.tilt * from.length()
     }
 
     /// Lets no node come more than `usable` beyond the nearest point. One that is there already by rounding stays.

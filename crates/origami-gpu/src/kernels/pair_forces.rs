@@ -58,9 +58,9 @@ mod tests {
         let mut errors = Errors { gap: 0.0, force: 0.0, mass: 0.0, regions: [0; 4], eased: 0 };
         let pushing = plain.pushing();
         let listed = layers.pairs().iter().zip(&nears);
-        let listed: BTreeMap<[u32; 4], _> = listed.map(|(own, near)| (own.nodes, (own, near))).collect();
+        let listed: BTreeMap<_, _> = listed.map(|(own, near)| ((own.split, own.nodes), (own, near))).collect();
         for (pair, weights, normal, gap) in &pushing {
-            let (own, near) = listed[&pair.nodes.map(|node| node.0)];
+            let (own, near) = listed[&(pair.split as u32, pair.nodes.map(|node| node.0))];
             let [x, y, z, own_gap] = *near;
             let is_eased = is_eased(own.eased, pair.nodes.map(|n| told[n.index()]));
             // Of parallel edges many points are equally near.

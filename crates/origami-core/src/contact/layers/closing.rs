@@ -4,8 +4,11 @@ use glam::DVec3;
 
 use super::super::limit::FLOOR;
 use super::Layers;
-use super::listing::MOST_SKINS;
 
+/// Pairs are listed up to so many times the skin beyond the gap where moves are long, ...
+const WIDEST: f64 = 20.0;
+/// ... and so many times farther than they ask for, so that a list lasts.
+const WIDER: f64 = 1.5;
 /// A pair with less than so many times the gap that is never used up is left to [`Layers::limit`].
 const CLOSED: f64 = 2.0;
 
@@ -66,11 +69,12 @@ impl Layers {
         step
     }
 
-    /// Lists pairs as far away as moves of that length ask for, in radii, as far as lists go.
+    /// Lists pairs as far away as moves of that length ask for, in radii, as far as that goes.
     fn widen(&mut self, positions: &[DVec3], longest: f64) {
-        let most = MOST_SKINS * self.skin;
-        if 4.0 * longest > self.room && self.room < most {
-            self.room = most;
+        let wanted = (4.0 * longest).clamp(self.skin, WIDEST * self.skin);
+        if self.room < wanted || wanted < 0.5 * self.least_room {
+            self.least_room = (WIDER * wanted).min(WIDEST * self.skin);
+            self.room = self.least_room;
             self.listed_at.clear();
             self.measure(positions);
         }

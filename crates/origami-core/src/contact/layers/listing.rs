@@ -44,8 +44,7 @@ impl Layers {
                 self.room *= 0.5;
             }
         }
-        // The skin may have become another one.
-        self.room = self.room.clamp(self.skin, MOST_SKINS * self.skin);
+        self.room = self.room.clamp(self.least_room, self.least_room.max(MOST_SKINS * self.skin));
         let reach = self.contact.gap + self.room;
         self.finder.find(positions, reach, &mut self.pairs, &mut self.gaps);
         self.due.clear();

@@ -126,14 +126,21 @@ fn a_letter_is_blocked_at_once_and_closes_in_order() {
     place.run("fold letter.fold --contact --precision mixed -o d.fold").fails(1, "--precision mixed");
 }
 
+#[cfg(feature = "newton")]
 #[test]
-fn newton_and_dynamics_go_under_contact_too() {
+fn newton_goes_under_contact_too() {
     let place = Place::new();
     place.run("pattern strip -o strip.fold").succeeds();
     place.run("fold strip.fold --contact --solver newton -o a.fold --report r.json --quiet").succeeds();
     let report = place.json("r.json");
     assert_eq!((&report["stop"], &report["crossings"]["count"]), (&json!("converged"), &json!(0)));
     assert!(report["residual"].as_f64().unwrap() < 1e-10 && report["contact"]["least_gap"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn dynamics_goes_under_contact_too() {
+    let place = Place::new();
+    place.run("pattern strip -o strip.fold").succeeds();
     let dynamics =
         "fold strip.fold --contact-gap 0.01 --solver dynamics --ramp 500 --steps 1500 -o b.fold --report r.json";
     place.run(dynamics).succeeds();

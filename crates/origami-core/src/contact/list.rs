@@ -64,7 +64,7 @@ impl PairList {
         self.finder.find(positions, self.gap + self.room, &mut self.pairs, &mut self.gaps);
     }
 
-    /// Lists the pairs anew, farther than before where they were few and less far where they were many, as [`Layers`] does.
+    /// Lists the pairs anew, farther than before where they were few and less far where they were many, as the relaxation on the processor does.
     pub fn list_on(&mut self, positions: &[DVec3]) {
         if self.pairs.len() <= FEW * positions.len() {
             self.room = (2.0 * self.room).min(MOST_SKINS * self.skin);

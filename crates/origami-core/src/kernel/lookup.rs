@@ -19,6 +19,7 @@ pub(super) fn moment<T: Copy>(list: &[T; CREASES], i: u16) -> T {
 
 /// Four of them. Their places are taken out of one word: of four that it reads, the compiler makes a vector, out of which it
 /// then has to take each.
+#[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) fn four_moments<T: Copy>(list: &[T; CREASES], at: &[u16; 4]) -> [T; 4] {
     let word: u64 = bytemuck::cast(*at);

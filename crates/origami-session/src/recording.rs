@@ -7,7 +7,7 @@ use origami_core::contact::Contact;
 use origami_core::scene::{Scene, Targets};
 use origami_core::sequence::Stage;
 use origami_core::solve::{
-    ContactRelax, Failed, Folded, Precision, Relax, Report, Solver, State, Steps, Stop, Touch, unwatched,
+    ContactRelax, Failed, Folded, Precision, Relax, Report, Solver, State, Steps, Stop, Touch, Touching, unwatched,
 };
 use origami_core::{CreasePattern, Model};
 

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 
 use super::contact_begin::{check_contact, first_layers};
-use super::contact_end::{farthest, is_held_up, residual, touched};
+use super::contact_end::{End, farthest, folded, is_held_up};
 use super::guard::Guard;
 use super::ramp::Ramp;
 use super::row_sums::row_sums;
@@ -352,22 +352,9 @@ impl<'a> Run<'a> {
         }
         let mut state = self.state();
         state.targets = self.ramp.into_asked();
-        let touch = touched(self.model, &self.layers, &state, self.touch);
-        let (residual, reactions) =
-            residual((self.model, self.scene), self.surroundings.held(), &self.layers, &mut state);
-        let folded = Folded {
-            targets: self.scene.targets.clone(),
-            stop,
-            steps: self.steps,
-            time_step: self.step,
-            residual,
-            distance: self.settling.distance(),
-            attempts: 1,
-            factorisations: 0,
-            saddles: 0,
-            reactions,
-            state,
-        };
-        (folded, touch)
+        let distance = self.settling.distance();
+        let end = End { stop, steps: self.steps, time_step: self.step, distance };
+        let (sheet, held) = ((self.model, self.scene), self.surroundings.held());
+        folded(sheet, (held, &self.layers), (state, self.touch), end)
     }
 }

@@ -102,12 +102,7 @@ impl Came {
         let Self { mut state, ended, steps, time_step, distance, first_limited, limited, most_pairs } = self;
         let mut layers = Layers::new(&model.mesh, &model.rest, contact, false);
         layers.measure(&state.positions);
-        let counted = Touch { first_limited, limited, most_pairs, ..Touch::default() };
-        let touch = touched(model, &layers, &state, counted);
-        let held = Held::new(model, scene);
-        state.velocities.fill(DVec3::ZERO);
-        let (residual, reactions) = residual((model, scene), &held, &layers, &mut state);
-        let held_up = is_held_up(&layers, touch.farthest);
+        let held_up = is_held_up(&layers, farthest(&state.fold_angles, &state.targets));
         let stop = match ended {
             Ended::Settled if !held_up => Stop::Converged,
             Ended::Settled | Ended::HeldUp => Stop::Blocked,
@@ -116,21 +111,46 @@ impl Came {
             Ended::StepsDone => Stop::StepsDone,
             Ended::Cancelled => Stop::Cancelled,
         };
-        let folded = Folded {
-            targets: scene.targets.clone(),
-            stop,
-            steps,
-            time_step,
-            residual,
-            distance,
-            attempts: 1,
-            factorisations: 0,
-            saddles: 0,
-            reactions,
-            state,
-        };
-        (folded, touch)
+        state.velocities.fill(DVec3::ZERO);
+        let counted = Touch { first_limited, limited, most_pairs, ..Touch::default() };
+        let end = End { stop, steps, time_step, distance };
+        folded((model, scene), (&Held::new(model, scene), &layers), (state, counted), end)
     }
+}
+
+/// How a solver has ended.
+pub(super) struct End {
+    pub(super) stop: Stop,
+    pub(super) steps: u64,
+    pub(super) time_step: f64,
+    pub(super) distance: f64,
+}
+
+/// What came of a fold: a state, at which `layers` were last measured, and what contact does there beside what was `counted` on
+/// the way.
+pub(super) fn folded(
+    (model, scene): (&Model, &Scene),
+    (held, layers): (&Held, &Layers),
+    (mut state, counted): (State, Touch),
+    end: End,
+) -> (Folded, Touch) {
+    let touch = touched(model, layers, &state, counted);
+    let (residual, reactions) = residual((model, scene), held, layers, &mut state);
+    let End { stop, steps, time_step, distance } = end;
+    let folded = Folded {
+        targets: scene.targets.clone(),
+        stop,
+        steps,
+        time_step,
+        residual,
+        distance,
+        attempts: 1,
+        factorisations: 0,
+        saddles: 0,
+        reactions,
+        state,
+    };
+    (folded, touch)
 }
 
 /// `counted` on the way, and what contact does at the end, where `layers` were last measured.

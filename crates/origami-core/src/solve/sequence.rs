@@ -4,7 +4,7 @@ use std::borrow::Borrow;
 use std::ops::ControlFlow;
 
 use super::relax::ramp_between;
-use super::{ContactRelax, Failed, Folded, Progress, Relax, Solver, State, Stop, Touch};
+use super::{ContactRelax, Failed, Folded, Progress, Relax, Solver, State, Stop, Touch, Touching};
 use crate::contact::Contact;
 use crate::ids::CreaseId;
 use crate::model::Model;

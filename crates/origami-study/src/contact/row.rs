@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use origami_core::contact::Crossings;
 use origami_core::measure::{Strain, angle_error};
-use origami_core::solve::{ContactRelax, Touch, unwatched};
+use origami_core::solve::{ContactRelax, Touch, Touching, unwatched};
 use origami_core::{Folded, Model, Relax, Scene, Solver, State};
 
 /// Under contact a run ends after so many evaluations.

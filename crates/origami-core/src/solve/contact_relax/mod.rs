@@ -56,32 +56,17 @@ impl Touching for ContactRelax {
         scene: &Scene,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<(Folded, Touch), Failed> {
-        Self::fold_touching(self, model, start, scene, observe)
-    }
-}
-
-impl ContactRelax {
-    /// As [`Solver::fold`], and what contact did.
-    ///
-    /// # Errors
-    /// As [`Solver::fold`]; [`Failed::Refused`] too where the sheet begins crossed or closed, and for settings that are no
-    /// lengths or stiffnesses above 0.
-    pub fn fold_touching(
-        &self,
-        model: &Model,
-        start: &State,
-        scene: &Scene,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<(Folded, Touch), Failed> {
         share(count(model, self.relax.threads), observe, |threads, observe| {
             self.run((model, scene, start), threads, observe, &mut |_, _| {})
         })
     }
+}
 
-    /// The same on one thread; `look` is shown the positions after every evaluation's move, with its number.
+impl ContactRelax {
+    /// As [`Touching::fold_touching`] on one thread; `look` is shown the positions after every evaluation's move, with its number.
     ///
     /// # Errors
-    /// As [`ContactRelax::fold_touching`].
+    /// As that.
     #[doc(hidden)]
     pub fn fold_looking(
         &self,

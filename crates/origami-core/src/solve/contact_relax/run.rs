@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 
 use super::super::contact_begin::first_layers;
-use super::super::contact_end::{Touch, contact_patience, farthest, is_held_up, residual, touched};
+use super::super::contact_end::{End, Touch, contact_patience, farthest, folded, is_held_up};
 use super::super::guard::Guard;
 use super::super::ramp::Ramp;
 use super::super::relax::ramp_between;
@@ -163,23 +163,10 @@ impl<'a> Run<'a> {
         self.layers.measure(&self.positions);
         let mut state = self.state();
         state.targets = self.ramp.into_asked();
-        let touch = touched(self.model, &self.layers, &state, std::mem::take(&mut self.touch));
         state.velocities.fill(DVec3::ZERO);
-        let (residual, reactions) =
-            residual((self.model, self.scene), self.surroundings.held(), &self.layers, &mut state);
-        let folded = Folded {
-            targets: self.scene.targets.clone(),
-            stop,
-            steps: self.steps,
-            time_step: self.fire.step,
-            residual,
-            distance: self.settling.distance(),
-            attempts: 1,
-            factorisations: 0,
-            saddles: 0,
-            reactions,
-            state,
-        };
-        (folded, touch)
+        let distance = self.settling.distance();
+        let end = End { stop, steps: self.steps, time_step: self.fire.step, distance };
+        let (sheet, held) = ((self.model, self.scene), self.surroundings.held());
+        folded(sheet, (held, &self.layers), (state, self.touch), end)
     }
 }

@@ -16,6 +16,7 @@ pub(crate) mod hessian;
 mod lanes;
 mod layers;
 mod limit;
+mod lips;
 mod list;
 mod pairs;
 mod pressing;
@@ -26,6 +27,7 @@ mod task;
 mod wedge;
 
 pub use crossings::{Crossing, Crossings};
+pub use lips::touching_lips;
 pub use list::{ListedPair, PairList};
 #[doc(hidden)]
 pub use list::{PlainContact, Pushing, constants};

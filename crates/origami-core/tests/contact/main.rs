@@ -3,6 +3,7 @@
 
 mod catalog;
 mod dynamics;
+mod held_up;
 #[cfg(feature = "newton")]
 mod newton;
 mod orders;

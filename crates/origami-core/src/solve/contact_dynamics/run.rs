@@ -11,8 +11,9 @@ use crate::kernel::{Bounds, Kernel};
 use crate::model::Model;
 use crate::scene::Scene;
 use crate::solve::contact_begin::first_layers;
-use crate::solve::contact_end::{End, Touch, farthest, folded, is_held_up};
+use crate::solve::contact_end::{End, Touch, folded};
 use crate::solve::guard::Guard;
+use crate::solve::held_up::is_held_up;
 use crate::solve::ramp::Ramp;
 use crate::solve::row_sums::row_sums;
 use crate::solve::settle::Settling;
@@ -239,8 +240,10 @@ impl<'a> Run<'a> {
         OF_A_SWING * self.coarser() / both.map(|(pressed, springs)| pressed + springs).fold(0.0, f64::max).sqrt()
     }
 
+    /// Whether it is contact that keeps it from its angles.
     fn is_held_up(&self) -> bool {
-        is_held_up(&self.layers, farthest(&self.angles(), self.ramp.asked()))
+        let state = State { targets: self.ramp.asked().to_vec(), ..self.state() };
+        is_held_up((self.model, self.scene), &self.layers, &state)
     }
 
     fn angles(&self) -> Vec<f64> {

@@ -1,5 +1,5 @@
-// The sheet in space: what is to be seen of it, and when it is drawn. WebGL does that; but where it would have to do it by the
-// processor, it draws what stands still, and of what moves there is a draft.
+// The sheet in space: what is to be seen of it, and when it is drawn. WebGL does that; but where that is the processor's work, it draws
+// only what stands still, and of what moves there is a draft.
 
 import { Camera } from "./camera.js";
 import { lineOf, theme } from "./colours.js";
@@ -26,7 +26,8 @@ export class Stage {
         const software = isSoftware();
         this.painter = new Painter(canvas, !software, () => (this.dirty = true));
         this.draft = software ? new Draft(draft) : undefined;
-        this.finer = software ? 2 : 1;
+        // By the processor smooth edges take four samples of each pixel, and a GPU has its own.
+        this.finest = software ? 2 : 1;
         this.restyle();
     }
 
@@ -106,7 +107,7 @@ export class Stage {
         } else if (draft && this.fine) {
             // Not before the finer picture is there.
             if (!draft.canvas.hidden) draft.canvas.hidden = true;
-        } else if (draft && now - this.changed > CALM) this.paint(this.finer);
+        } else if (draft && now - this.changed > CALM) this.paint(this.finest);
     }
 
     /** Fits the view to the page. */
@@ -117,11 +118,11 @@ export class Stage {
         Object.assign(camera, { width, height });
     }
 
-    /** Draws by WebGL, so many times as fine as the screen. */
-    paint(finer = 1) {
+    /** Draws by WebGL: by as many pixels as the screen has, or by so many for each of the page. */
+    paint(least = 1) {
         if (this.stale) this.painter.moved(this.model.points);
-        this.painter.draw(this.look(), this.camera, Math.min(devicePixelRatio || 1, 2) * finer);
-        Object.assign(this, { stale: false, fine: finer === this.finer });
+        this.painter.draw(this.look(), this.camera, Math.max(Math.min(devicePixelRatio || 1, 2), least));
+        Object.assign(this, { stale: false, fine: least === this.finest });
     }
 
     /** The node within so many pixels of a place on the screen that is nearest to the eye. */
@@ -159,7 +160,7 @@ export class Stage {
 
     /** The picture as PNG. */
     png() {
-        this.paint(this.finer);
+        this.paint(this.finest);
         return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
     }
 }

@@ -11,6 +11,7 @@ mod barrier;
 mod boxes;
 mod crossings;
 mod distance;
+mod drift;
 #[cfg(feature = "newton")]
 pub(crate) mod hessian;
 mod lanes;

@@ -159,6 +159,11 @@ impl Finder {
         }
     }
 
+    /// The farthest that a pair can be apart and closed, in radii.
+    pub(super) fn thickest(&self) -> f64 {
+        self.thickest
+    }
+
     /// The median length of the edges at rest.
     pub(super) fn median_edge(&self) -> f64 {
         let at = |n: NodeId| self.rest[n.index()];

@@ -8,7 +8,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::Contact;
-use super::barrier::{Barrier, NEARER, mollifier};
+use super::barrier::{Barrier, EASED, NEARER, mollifier};
 use super::boxes::{Bounds, BoxTree};
 use super::distance::{Nearest, of_edges, of_point_and_triangle};
 use super::sieve::{Candidate, Sieve};
@@ -19,8 +19,6 @@ use crate::parallel;
 
 /// Pairs come no nearer than their gap begins at this share of their distance in the flat sheet: there nothing presses.
 const OF_REST: f64 = 0.9;
-/// Edges whose directions enclose an angle of less sine squared than this are eased out ([`super::barrier::mollifier`]).
-const EASED: f64 = 1e-3;
 
 /// Things that are farther apart in the flat sheet than so many gaps push from the whole gap on; a little more than the
 /// inverse of [`OF_REST`].

@@ -52,10 +52,11 @@ impl Layers {
         self.listed_at.extend_from_slice(positions);
         self.listed_way = self.way;
         self.soon.forget();
+        self.groups.clear();
     }
 
     /// Pairs whose gap is below this are listed, in radii.
-    fn reach(&self) -> f64 {
+    pub(super) fn reach(&self) -> f64 {
         self.contact.gap + self.room
     }
 

@@ -1,17 +1,19 @@
 //! A part of the pairs, measured and pushing, on one thread.
 
 mod grouped;
+mod part;
 
 use glam::DVec3;
 
 use super::Contact;
-use super::groups::{Group, Groups, Places};
+use super::groups::Groups;
 use super::lanes::{Arms, Given, Measured, Push, WIDTH, measure_edges, measure_points, push};
 use super::pairs::Pair;
 use super::soon::{Brief, Kind, Soon};
 use super::stars::Star;
 use crate::ids::NodeId;
 use crate::parallel;
+use part::{Part, Those};
 
 /// Pairs that are worth a task of their own, and how many for each node: each task has forces of all nodes.
 const PAIRS: usize = 512;
@@ -207,57 +209,6 @@ impl<'a> std::ops::Deref for All<'a> {
     fn deref(&self) -> &Here<'a> {
         &self.here
     }
-}
-
-/// Some pairs of one kind, and when each is due.
-struct Those<'a> {
-    pairs: &'a [Brief],
-    due: &'a mut [f64],
-    /// How many are before these.
-    from: usize,
-}
-
-impl<'a> Those<'a> {
-    fn split(self, share: [usize; 2]) -> [Self; 2] {
-        let at = cut(self.pairs.len(), share);
-        let ((pairs, others), (due, other_due)) = (self.pairs.split_at(at), self.due.split_at_mut(at));
-        [Self { pairs, due, from: self.from }, Self { pairs: others, due: other_due, from: self.from + at }]
-    }
-}
-
-/// What one task looks at: some pairs of points, some of edges, and some groups.
-struct Part<'a> {
-    points: Those<'a>,
-    edges: Those<'a>,
-    groups: &'a mut [Group],
-    group_due: &'a mut [f64],
-    places: &'a [Places],
-}
-
-impl<'a> Part<'a> {
-    /// Such a share of it, and the rest.
-    fn split(self, share: [usize; 2]) -> [Self; 2] {
-        let ([points, other_points], [edges, other_edges]) = (self.points.split(share), self.edges.split(share));
-        let at = cut(self.groups.len(), share);
-        let (groups, other_groups) = self.groups.split_at_mut(at);
-        let ((group_due, other_due), (places, other_places)) =
-            (self.group_due.split_at_mut(at), self.places.split_at(at));
-        [
-            Self { points, edges, groups, group_due, places },
-            Self {
-                points: other_points,
-                edges: other_edges,
-                groups: other_groups,
-                group_due: other_due,
-                places: other_places,
-            },
-        ]
-    }
-}
-
-/// Where so many things are cut so that the first part is such a share of them.
-fn cut(count: usize, [part, all]: [usize; 2]) -> usize {
-    count * part / all
 }
 
 /// The work of a task, compiled for each set of instructions.

@@ -11,6 +11,8 @@ mod barrier;
 mod boxes;
 mod crossings;
 mod distance;
+mod drift;
+mod groups;
 #[cfg(feature = "newton")]
 pub(crate) mod hessian;
 mod lanes;
@@ -23,6 +25,7 @@ mod pressing;
 mod settings;
 mod sieve;
 mod soon;
+mod stars;
 mod task;
 mod wedge;
 

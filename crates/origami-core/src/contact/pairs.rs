@@ -8,7 +8,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::Contact;
-use super::barrier::{Barrier, NEARER, mollifier};
+use super::barrier::{Barrier, EASED, NEARER, mollifier};
 use super::boxes::{Bounds, BoxTree};
 use super::distance::{Nearest, of_edges, of_point_and_triangle};
 use super::sieve::{Candidate, Sieve};
@@ -19,8 +19,6 @@ use crate::parallel;
 
 /// Pairs come no nearer than their gap begins at this share of their distance in the flat sheet: there nothing presses.
 const OF_REST: f64 = 0.9;
-/// Edges whose directions enclose an angle of less sine squared than this are eased out ([`super::barrier::mollifier`]).
-const EASED: f64 = 1e-3;
 
 /// Things that are nearer than this in the flat sheet, in radii, touch there, such as the two lips of a cut: nothing says on which
 /// side of each other they are.
@@ -160,6 +158,11 @@ impl Finder {
             wedges,
             thickest: THICKEST * closed,
         }
+    }
+
+    /// The farthest that a pair can be apart and closed, in radii.
+    pub(super) fn thickest(&self) -> f64 {
+        self.thickest
     }
 
     /// The median length of the edges at rest.

@@ -68,8 +68,8 @@ pub enum Ended {
     Settled,
     /// Contact has held it up for longer than [`contact_patience`].
     HeldUp,
-    /// It has come to its limit. Whether its targets had arrived.
-    Limit(bool),
+    /// It has come to its limit. Whether its targets had arrived, and whether a move was shortened lately.
+    Limit(bool, bool),
     /// As many evaluations as were asked for.
     StepsDone,
     /// It was broken off.
@@ -106,8 +106,8 @@ impl Came {
             Ended::HeldUp => Stop::Blocked,
             Ended::Settled if held_up() => Stop::Blocked,
             Ended::Settled => Stop::Converged,
-            Ended::Limit(true) if held_up() => Stop::Blocked,
-            Ended::Limit(_) => Stop::StepLimit,
+            Ended::Limit(true, lately) if lately || held_up() => Stop::Blocked,
+            Ended::Limit(..) => Stop::StepLimit,
             Ended::StepsDone => Stop::StepsDone,
             Ended::Cancelled => Stop::Cancelled,
         };

@@ -102,7 +102,7 @@ impl<'a> Run<'a> {
     ) -> Result<Stop, Failed> {
         let relax = &self.solver.relax;
         let (limit, all) = (relax.steps.unwrap_or(relax.max_steps), relax.steps.is_some());
-        let mut patience = contact_patience(self.model);
+        let patience = contact_patience(self.model);
         let mut turned = 0.0;
         while self.steps < limit {
             if !self.ramp.done() && turned <= HOLD {
@@ -116,10 +116,7 @@ impl<'a> Run<'a> {
                 return Ok(if self.is_held_up() { Stop::Blocked } else { Stop::Converged });
             }
             if !all && self.ramp.done() && self.steps - self.arrived > patience && self.was_limited() {
-                if self.is_held_up() {
-                    return Ok(Stop::Blocked);
-                }
-                patience *= 2;
+                return Ok(Stop::Blocked);
             }
             self.advance();
             look(self.steps, &self.positions);
@@ -133,7 +130,7 @@ impl<'a> Run<'a> {
                 return Ok(Stop::Cancelled);
             }
         }
-        Ok(match (all, !all && self.ramp.done() && self.is_held_up()) {
+        Ok(match (all, !all && self.ramp.done() && (self.was_limited() || self.is_held_up())) {
             (true, _) => Stop::StepsDone,
             (false, true) => Stop::Blocked,
             (false, false) => Stop::StepLimit,

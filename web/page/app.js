@@ -109,7 +109,7 @@ export class App {
         this.askForFrame();
         if (!this.model || buffer.byteLength - at !== 16 * this.model.nodes) return;
         this.stage.map = { wish: head.map, largest: head.map_max };
-        this.stage.moved(new Float32Array(buffer, at, 4 * this.model.nodes));
+        this.stage.moved(new Float32Array(buffer, at, 4 * this.model.nodes), head.running);
         this.last = this.untold = head;
         this.crossed.frame(head.crossings);
         this.recording.frame(head);

@@ -1,5 +1,6 @@
 // A picture of a sheet that moves, drawn without WebGL: where the processor draws, that takes long for each triangle and line, however
-// small. Each face has one shade, lines are as thin as a pixel, and no edges are smoothed; all else is as WebGL draws it.
+// small. Each face has one shade, lines are as thin as a pixel, and no edges are smoothed; all else is as WebGL draws it. Loops take
+// numbers one by one: lists of them would be made and thrown away each time.
 
 import { AHEAD, behind } from "./depth.js";
 import { ramp } from "./colours.js";
@@ -63,7 +64,7 @@ export class Draft {
         const m = camera.matrix();
         let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
         for (let node = 0, i = 0; node < nodes; node++, i += 4) {
-            const [px, py, pz] = [points[i], points[i + 1], points[i + 2]];
+            const px = points[i], py = points[i + 1], pz = points[i + 2];
             const w = m[3] * px + m[7] * py + m[11] * pz + m[15];
             z[node] = (m[2] * px + m[6] * py + m[10] * pz + m[14]) / w;
             if (w <= 0 || z[node] < -1) return undefined;
@@ -74,6 +75,7 @@ export class Draft {
             if (sy < top) top = sy;
             if (sy > bottom) bottom = sy;
         }
+        this.whole = left >= 0 && top >= 0 && right <= width && bottom <= height;
         const within = (value, most) => Math.max(0, Math.min(most, Math.floor(value)));
         return [within(left - ROOM, width), within(top - ROOM, height), within(right + 1 + ROOM, width), within(bottom + 1 + ROOM, height)];
     }
@@ -83,8 +85,8 @@ export class Draft {
         const { x, y, z, width, height, words, depth, ramp } = this;
         const { points } = this.model;
         for (let i = 0; i < corners.length; i += 3) {
-            const [a, b, c] = [corners[i], corners[i + 1], corners[i + 2]];
-            const [xb, yb, zb, xc, yc, zc] = [x[b] - x[a], y[b] - y[a], z[b] - z[a], x[c] - x[a], y[c] - y[a], z[c] - z[a]];
+            const a = corners[i], b = corners[i + 1], c = corners[i + 2];
+            const xb = x[b] - x[a], yb = y[b] - y[a], zb = z[b] - z[a], xc = x[c] - x[a], yc = y[c] - y[a], zc = z[c] - z[a];
             const area = xb * yc - xc * yb;
             if (!area) continue;
             // From top to bottom.
@@ -98,7 +100,7 @@ export class Draft {
             const lit = shade(points, a, b, c, light, area < 0);
             const paper = area < 0 ? front : back;
             const colour = word(paper, lit);
-            const [zx, zy] = [(zb * yc - zc * yb) / area, (zc * xb - zb * xc) / area];
+            const zx = (zb * yc - zc * yb) / area, zy = (zc * xb - zb * xc) / area;
             const slope = Math.max(Math.abs(zx), Math.abs(zy));
             const start = z[a] + slope + (depths ? behind(depths[i / 3]) : behind(-1));
             let [value, vx, vy] = [0, 0, 0];
@@ -140,15 +142,15 @@ export class Draft {
         const size = Math.max(1, Math.round(wide));
         const before = (size - 1) >> 1;
         for (let i = 0; i < ends.length; i += 2) {
-            const [a, b] = [ends[i], ends[i + 1]];
-            const [dx, dy] = [x[b] - x[a], y[b] - y[a]];
+            const a = ends[i], b = ends[i + 1];
+            const dx = x[b] - x[a], dy = y[b] - y[a];
             const count = Math.max(1, Math.ceil(Math.max(Math.abs(dx), Math.abs(dy))));
+            const ux = dx / count, uy = dy / count, uz = (z[b] - z[a]) / count;
             // Of what is long and mostly elsewhere only what may be seen is gone through.
-            const [from, to] = inside(x[a], dx, width, ...inside(y[a], dy, height, 0, 1));
-            for (let step = Math.ceil(from * count); step <= to * count; step++) {
-                const share = step / count;
-                const near = z[a] + share * (z[b] - z[a]) - ahead;
-                const [column, row] = [Math.floor(x[a] + share * dx) - before, Math.floor(y[a] + share * dy) - before];
+            const [from, to] = this.whole ? [0, 1] : inside(x[a], dx, width, ...inside(y[a], dy, height, 0, 1));
+            for (let step = Math.ceil(from * count), last = to * count; step <= last; step++) {
+                const near = z[a] + step * uz - ahead;
+                const column = Math.floor(x[a] + step * ux) - before, row = Math.floor(y[a] + step * uy) - before;
                 for (let py = Math.max(0, row); py < Math.min(height, row + size); py++)
                     for (let px = Math.max(0, column); px < Math.min(width, column + size); px++) {
                         const k = py * width + px;
@@ -179,10 +181,10 @@ export class Draft {
 
 /** How light a triangle is, as the shader has it: by the side that is seen. */
 function shade(points, a, b, c, light, isFront) {
-    const [i, j, k] = [4 * a, 4 * b, 4 * c];
-    const [ux, uy, uz] = [points[j] - points[i], points[j + 1] - points[i + 1], points[j + 2] - points[i + 2]];
-    const [vx, vy, vz] = [points[k] - points[i], points[k + 1] - points[i + 1], points[k + 2] - points[i + 2]];
-    const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const i = 4 * a, j = 4 * b, k = 4 * c;
+    const ux = points[j] - points[i], uy = points[j + 1] - points[i + 1], uz = points[j + 2] - points[i + 2];
+    const vx = points[k] - points[i], vy = points[k + 1] - points[i + 1], vz = points[k + 2] - points[i + 2];
+    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
     const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
     const along = length > 0 ? (nx * light[0] + ny * light[1] + nz * light[2]) / length : 0.5;
     const facing = isFront ? along : -along;

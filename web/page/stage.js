@@ -12,8 +12,8 @@ const KINDS = ["line-b", "line-m", "line-v", "line-f", "line-u"];
 const WIDTHS = [1.3, 1.2, 1.2, 0.7, 0.9];
 /** From so many edges on they are as thin as the screen has them: wide ones would take long. */
 const DENSE = 4000;
-/** A sheet that has not changed for so many milliseconds stands still. */
-const CALM = 250;
+/** A sheet that has not changed for so many milliseconds stands still; while it is moved its pictures may come late. */
+const CALM = { still: 250, moving: 2000 };
 
 export class Stage {
     constructor(canvas, draft) {
@@ -50,10 +50,10 @@ export class Stage {
         this.moved(model.points);
     }
 
-    /** Where the nodes are now: x, y, z and a value of each. */
-    moved(points) {
+    /** Where the nodes are now: x, y, z and a value of each; and whether they are moved on. */
+    moved(points, moving = false) {
         this.model.points = points;
-        this.dirty = this.stale = true;
+        Object.assign(this, { moving, dirty: true, stale: true });
     }
 
     /** Shows faces that cross. */
@@ -107,7 +107,7 @@ export class Stage {
         } else if (draft && this.fine) {
             // Not before the finer picture is there.
             if (!draft.canvas.hidden) draft.canvas.hidden = true;
-        } else if (draft && now - this.changed > CALM) this.paint(this.finest);
+        } else if (draft && now - this.changed > (this.moving ? CALM.moving : CALM.still)) this.paint(this.finest);
     }
 
     /** Fits the view to the page. */

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use origami_core::Solver;
 use origami_core::contact::Crossings;
 use origami_core::generate::catalog;
+use origami_core::glam::DVec3;
 use origami_core::scene::{Scene, Targets};
 use origami_core::solve::{ContactRelax, Relax, State, Stop};
 
@@ -85,6 +86,24 @@ fn nothing_crosses_in_any_pattern() {
                 assert!(matches!(folded.stop, Stop::Converged | Stop::Blocked | Stop::StepLimit), "{name}: {touch:?}");
             }
         }
+    }
+}
+
+/// The same method on the same sheet, but for what contact adds, which is nothing.
+#[test]
+fn where_nothing_touches_every_evaluation_is_the_same() {
+    for (name, percent) in [("miura", 60.0), ("degree-4", 70.0), ("hypar", 100.0)] {
+        let model = model(name);
+        let scene = Scene::percent(percent);
+        let relax = Relax { softening: None, near: 0.0, steps: Some(600), ..Relax::default() };
+        let free = relax.fold(&model, &State::at_rest(&model), &scene, &mut |_| ControlFlow::Continue(()));
+        let free = free.expect("it folds").state.positions;
+        let (held, touch, _) = watched(&model, &ContactRelax { relax, ..ContactRelax::default() }, &scene);
+        assert_eq!((touch.limited, touch.least_gap), (0, f64::INFINITY), "{name}");
+        let farthest =
+            |from: &[DVec3]| from.iter().zip(&held.state.positions).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+        assert!(farthest(&model.rest) > 0.1, "{name} moves");
+        assert!(farthest(&free) < 1e-12, "{name}: {:e}", farthest(&free));
     }
 }
 

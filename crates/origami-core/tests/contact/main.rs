@@ -3,6 +3,8 @@
 
 mod catalog;
 mod dynamics;
+mod layers;
+mod narrowed;
 #[cfg(feature = "newton")]
 mod newton;
 mod orders;

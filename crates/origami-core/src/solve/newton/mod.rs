@@ -6,6 +6,7 @@ mod descent;
 mod factor;
 mod matrix;
 mod pressed;
+mod pressed_descent;
 mod rigid;
 
 pub use contact::ContactNewton;

@@ -10,6 +10,7 @@ use origami_core::solve::{ContactRelax, State, Stop};
 
 use crate::{model_of, off};
 
+/// With a gap of five thousandths; with the default of one it ends blocked.
 #[test]
 fn a_narrowed_bird_base_folds_step_by_step() {
     let base = BirdBase::default().pattern().expect("a pattern");
@@ -17,8 +18,8 @@ fn a_narrowed_bird_base_folds_step_by_step() {
     let model = model_of(&pattern);
     // The creases that narrow lie on none of the base's.
     let is_of_base = |crease: &Crease| {
-        let edge = &pattern.edges[model.mesh.sides[crease.side.index()].edge.expect("no diagonals").index()];
-        let [p, q] = edge.vertices.map(|v| pattern.vertices[v.index()].truncate());
+        let Some(edge) = model.mesh.sides[crease.side.index()].edge else { return true };
+        let [p, q] = pattern.edges[edge.index()].vertices.map(|v| pattern.vertices[v.index()].truncate());
         base.edges.iter().any(|edge| {
             let [a, b] = edge.vertices.map(|v| base.vertices[v.index()].truncate());
             let between = |p: DVec2| (a.distance(p) + p.distance(b) - a.distance(b)).abs() < 1e-9;
@@ -27,9 +28,11 @@ fn a_narrowed_bird_base_folds_step_by_step() {
     };
     let first = |crease: &Crease| if is_of_base(crease) { crease.full_target } else { 0.0 };
     let targets: Vec<f64> = model.creases.iter().map(first).collect();
-    let (narrowing, all) = (targets.iter().filter(|target| **target == 0.0).count(), targets.len());
-    assert!(narrowing >= 8 && narrowing < all / 2, "{narrowing} of {all}");
+    let both = model.creases.iter().zip(&targets);
+    let narrowing = both.filter(|(crease, target)| crease.full_target != **target).count();
+    assert!(narrowing >= 8 && narrowing < targets.len() / 2, "{narrowing} of {}", targets.len());
     let (mut state, mut solver) = (State::at_rest(&model), ContactRelax::default());
+    solver.contact.gap = 5e-3;
     for scene in [Scene::new(Targets::angles(targets)), Scene::percent(100.0)] {
         let mut look = |evaluation: u64, positions: &[DVec3]| {
             let crossings = Crossings::of(&model.mesh, positions);
@@ -37,9 +40,8 @@ fn a_narrowed_bird_base_folds_step_by_step() {
         };
         let (folded, touch) = solver.fold_looking(&model, &state, &scene, &mut look).expect("it folds");
         let strain = Strain::of(&model, &folded.state.positions).beams.max;
-        println!("{} evaluations, strain {strain}, {} degrees off", folded.steps, off(&folded));
         assert_eq!(folded.stop, Stop::Converged, "{touch:?}");
-        assert!(strain <= 0.06, "{strain}");
+        assert!(strain <= 0.06 && off(&folded) < 10.0, "{strain}, {} degrees off", off(&folded));
         state = folded.state;
         solver.relax.perturbation = 0.0;
     }

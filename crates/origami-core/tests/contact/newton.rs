@@ -5,7 +5,7 @@ use origami_core::contact::Crossings;
 use origami_core::scene::Scene;
 use origami_core::solve::{ContactNewton, ContactRelax, Relax, State, Stop, Touching, unwatched};
 
-use crate::{model, watched};
+use crate::model;
 
 #[test]
 fn it_certifies_where_relaxation_ends() {
@@ -53,32 +53,4 @@ fn folding_ends_certified_or_blocked() {
     let few = broken(Relax { max_steps: 100, ..Relax::default() });
     let folded = few.fold(&strip, &State::at_rest(&strip), &Scene::percent(100.0), &mut unwatched).expect("it folds");
     assert_eq!((folded.stop, folded.factorisations), (Stop::StepLimit, 0), "what is not at rest is not gone on with");
-}
-
-#[test]
-fn a_sheet_that_crawls_is_handed_over_and_comes_to_the_same_state() {
-    let model = model("square-twist");
-    let fold = |hand_over: Option<u32>| {
-        let relax = Relax { hand_over, ..Relax::default() };
-        watched(&model, &ContactRelax { relax, ..ContactRelax::default() }, &Scene::percent(100.0))
-    };
-    let ((handed, touch, crossed), (alone, _, crossed_alone)) = (fold(Relax::default().hand_over), fold(None));
-    println!("{} evaluations and {} factorisations, {} alone", handed.steps, handed.factorisations, alone.steps);
-    assert_eq!((handed.stop, alone.stop), (Stop::Converged, Stop::Converged), "{touch:?}");
-    assert_eq!((crossed, crossed_alone), (0, 0));
-    assert!(handed.factorisations > 0 && alone.factorisations == 0, "{}", handed.factorisations);
-    assert!(2 * handed.steps < alone.steps, "{} and {}", handed.steps, alone.steps);
-    let angles = handed.state.fold_angles.iter().zip(&alone.state.fold_angles);
-    let apart = angles.map(|(a, b)| (a - b).abs().to_degrees()).fold(0.0, f64::max);
-    assert!(apart < 0.1, "{apart} degrees");
-}
-
-/// What contact holds up is not handed over, however early that would be.
-#[test]
-fn a_blocked_sheet_stays_blocked() {
-    let model = model("crane");
-    let relax = Relax { hand_over: Some(1), max_steps: 1500, ..Relax::default() };
-    let (folded, touch, crossed) =
-        watched(&model, &ContactRelax { relax, ..ContactRelax::default() }, &Scene::percent(100.0));
-    assert_eq!((folded.stop, folded.factorisations, crossed), (Stop::Blocked, 0, 0), "{touch:?}");
 }

@@ -9,12 +9,16 @@ use origami_core::{CreasePattern, Material, Model, Relax, Scene};
 
 use super::asked::Asked;
 use super::found::Found;
-use super::watched::{Watched, solver, watched};
+use super::watched::{solver, watched};
 use crate::StudyError;
 use crate::table::{Column, Table, column};
 
+/// A gap that is large enough for what is narrow here: with the default legs jam.
+const WIDE: f64 = 5e-3;
+
 const COLUMNS: &[Column] = &[
     column("way", "way", "in how many steps"),
+    column("gap", "gap (radii)", "from which on layers push"),
     column("end", "end", "of the last step"),
     column("crossings", "crossings", "at the end of each step and at every tenth evaluation, added up"),
     column("evaluations", "evaluations", "of all steps"),
@@ -49,14 +53,15 @@ fn sheet() -> Result<(Model, [Scene; 2]), StudyError> {
     Ok((model, [Scene::percent(100.0), base_alone]))
 }
 
-pub(super) fn study(_: bool) -> Result<Found, StudyError> {
+pub(super) fn study(quick: bool) -> Result<Found, StudyError> {
     let (model, [all, base]) = sheet()?;
-    let solver = solver(Relax::default().perturbation, Contact::default());
     let mut table = Table::new(COLUMNS);
-    let mut fold = |way: &str, stages: &[Scene]| {
+    let mut fold = |way: &str, gap: f64, stages: &[Scene]| {
+        let solver = solver(Relax::default().perturbation, Contact { gap, ..Contact::default() });
         let came = watched(&model, &solver, stages).ok()?;
         table.push(vec![
             way.into(),
+            gap.into(),
             came.stop().into(),
             came.crossings.into(),
             came.evaluations.into(),
@@ -65,14 +70,19 @@ pub(super) fn study(_: bool) -> Result<Found, StudyError> {
         ]);
         Some(came)
     };
-    let at_once = fold("all creases at once", &[all.clone()]);
-    let in_order = fold("the base, then its legs", &[base, all]);
-    let crossings = |came: &Option<Watched>| came.as_ref().map_or(usize::MAX, |came| came.crossings);
-    let strain = in_order.as_ref().map_or(f64::NAN, |came| came.strain);
-    let crossed = crossings(&at_once).max(crossings(&in_order));
+    let (at_once, in_order) = ([all.clone()], [base, all]);
+    let mut ended = Vec::new();
+    for gap in if quick { vec![WIDE] } else { vec![Contact::default().gap, WIDE] } {
+        ended.push(fold("all creases at once", gap, &at_once));
+        ended.push(fold("the base, then its legs", gap, &in_order));
+    }
+    let crossed = ended.iter().map(|came| came.as_ref().map_or(1, |came| came.crossings)).sum::<usize>();
+    // The last is in order, and with the wider gap.
+    let last = ended.pop().flatten().filter(|came| came.stop() == "converged");
+    let strain = last.map_or(f64::NAN, |came| 100.0 * came.strain);
     let asked = vec![
         Asked::that("narrowed bird base: crossings", "none", crossed.to_string(), crossed == 0),
-        Asked::at_most("narrowed bird base by sequence: strain (%)", 6.0, 100.0 * strain),
+        Asked::at_most("narrowed bird base by sequence, gap 5e-3: strain where it converges (%)", 6.0, strain),
     ];
     Ok(Found::one("The narrowed bird base", ABOUT, ("contact-narrowed", table), asked))
 }

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use origami_core::contact::Contact;
 use origami_core::fold::Document;
-use origami_core::glam::DVec3;
-use origami_core::ids::{EdgeId, VertexId};
+use origami_core::ids::EdgeId;
+use origami_core::layers::{FaceOrder, face_orders};
 use origami_core::scene::Targets;
 use origami_core::{CreasePattern, Material, Model, Relax, Scene, State};
 use serde_json::json;
@@ -13,13 +13,13 @@ use serde_json::json;
 use super::asked::Asked;
 use super::found::Found;
 use super::watched::{Watched, solver, watched};
+use crate::StudyError;
 use crate::table::{Column, Table, column};
-use crate::{Part, StudyError};
 
 /// How far a fold may be off that is closed, in degrees.
 const CLOSED: f64 = 5.0;
 
-/// A strip of panels of these widths. Vertices 2k and 2k + 1 are the ends of line k, and edge k the crease after panel k.
+/// A strip of panels of these widths, which are its faces in turn. Edge k is the crease after panel k.
 fn strip(widths: &[f64]) -> Result<Model, StudyError> {
     let mut ends = vec![0.0];
     widths.iter().for_each(|width| ends.push(ends[ends.len() - 1] + width));
@@ -30,8 +30,11 @@ fn strip(widths: &[f64]) -> Result<Model, StudyError> {
     edges.extend([line(0), line(panels)]);
     edges.extend((0..panels).flat_map(|k| [[2 * k, 2 * k + 2], [2 * k + 1, 2 * k + 3]]));
     let letters: Vec<&str> = (0..edges.len()).map(|edge| if edge + 1 < panels { "V" } else { "B" }).collect();
-    let text = json!({ "vertices_coords": vertices, "edges_vertices": edges, "edges_assignment": letters }).to_string();
-    let pattern = CreasePattern::from_document(&Document::from_slice(text.as_bytes())?, 0)?;
+    let faces: Vec<[usize; 4]> = (0..panels).map(|k| [2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1]).collect();
+    let text = json!({
+        "vertices_coords": vertices, "edges_vertices": edges, "edges_assignment": letters, "faces_vertices": faces,
+    });
+    let pattern = CreasePattern::from_document(&Document::from_slice(text.to_string().as_bytes())?, 0)?;
     Ok(Model::new(&pattern, &Material::default())?)
 }
 
@@ -50,20 +53,23 @@ fn fold(model: &Model, steps: &[&[(usize, f64)]]) -> Option<Watched> {
     watched(model, &solver(Relax::default().perturbation, Contact::default()), &stages).ok()
 }
 
-/// The panels of a strip from the bottom to the top, where up is where panel `base` faced when it was flat: by their centroids,
-/// which lie over each other or over panels that are larger.
+/// The panels of a strip from the bottom to the top, where up is where panel `base` faced when it was flat: each lies on as many
+/// others as are below it. `None` where they are not folded flat, or some two do not tell.
 fn layers(model: &Model, state: &State, panels: usize, base: usize) -> Option<Vec<usize>> {
-    let at = |vertex: usize| model.node(VertexId::new(vertex)).map(|node| state.positions[node.index()]);
-    let up = (at(2 * base + 2)? - at(2 * base)?).cross(at(2 * base + 1)? - at(2 * base)?);
-    let height = |panel: usize| {
-        let corners: Option<Vec<DVec3>> = (2 * panel..2 * panel + 4).map(at).collect();
-        Some(corners?.into_iter().sum::<DVec3>().dot(up))
-    };
-    let heights: Option<Vec<f64>> = (0..panels).map(height).collect();
-    let heights = heights?;
+    let orders = face_orders(model, &state.positions, &state.fold_angles)?;
+    let mut below = vec![0; panels];
+    for FaceOrder { faces, side } in &orders {
+        let [first, second] = faces.map(|face| face.index());
+        let second_faces_up = second.abs_diff(base).is_multiple_of(2);
+        match side {
+            0 => return None,
+            side => below[if (*side > 0) == second_faces_up { first } else { second }] += 1,
+        }
+    }
     let mut order: Vec<usize> = (0..panels).collect();
-    order.sort_by(|a, b| heights[*a].total_cmp(&heights[*b]));
-    Some(order)
+    order.sort_by_key(|panel| below[*panel]);
+    let is_stack = order.iter().enumerate().all(|(place, panel)| below[*panel] == place);
+    is_stack.then_some(order)
 }
 
 const COLUMNS: &[Column] = &[
@@ -73,9 +79,16 @@ const COLUMNS: &[Column] = &[
     column("evaluations", "evaluations", "of all steps"),
     column("off_deg", "off (degrees)", "the largest difference of an angle from its target"),
     column("strain", "strain", "largest of a beam"),
-    column("layers", "layers", "panels from the bottom to the top, as the middle one faced when it was flat"),
+    column(
+        "layers",
+        "layers",
+        "panels from the bottom to the top, as the middle one faced when it was flat; where they are flat",
+    ),
     column("pressing", "pressing", "the faces that press hardest"),
 ];
+
+/// What came of a fold, and the order of its panels.
+type Came = Option<(Watched, Option<Vec<usize>>)>;
 
 /// A letter, and two flaps.
 pub(super) fn told(_: bool) -> Result<Found, StudyError> {
@@ -84,8 +97,8 @@ pub(super) fn told(_: bool) -> Result<Found, StudyError> {
     let mut table = Table::new(COLUMNS);
     let mut add = |what: &str, model: &Model, steps: &[&[(usize, f64)]]| {
         let came = fold(model, steps)?;
-        let order = layers(model, &came.folded.state, 3, 1)?;
-        let names: Vec<String> = order.iter().map(ToString::to_string).collect();
+        let order = layers(model, &came.folded.state, 3, 1);
+        let named = |order: &Vec<usize>| order.iter().map(ToString::to_string).collect::<Vec<String>>().join(" ");
         table.push(vec![
             what.into(),
             came.stop().into(),
@@ -93,7 +106,7 @@ pub(super) fn told(_: bool) -> Result<Found, StudyError> {
             came.evaluations.into(),
             came.off.into(),
             came.strain.into(),
-            names.join(" ").into(),
+            order.as_ref().map(named).into(),
             came.pressing(1).into(),
         ]);
         Some((came, order))
@@ -102,10 +115,11 @@ pub(super) fn told(_: bool) -> Result<Found, StudyError> {
     let at_once = add("letter, both at once", &letter, &[&[left, right]]);
     let left_first = add("two flaps, left first", &flaps, &[&[left], &[right]]);
     let right_first = add("two flaps, right first", &flaps, &[&[right], &[left]]);
-    let closes = |came: &Option<(Watched, Vec<usize>)>, order: &[usize]| {
-        came.as_ref().is_some_and(|(came, own)| came.crossings == 0 && came.off <= CLOSED && own == order)
+    let closes = |came: &Came, order: &[usize]| {
+        let lies_so = |own: &Option<Vec<usize>>| own.as_deref() == Some(order);
+        came.as_ref().is_some_and(|(came, own)| came.crossings == 0 && came.off <= CLOSED && lies_so(own))
     };
-    let ends = |came: &Option<(Watched, Vec<usize>)>| came.as_ref().map_or("no end", |(came, _)| came.stop());
+    let ends = |came: &Came| came.as_ref().map_or("no end", |(came, _)| came.stop());
     let pair = at_once.as_ref().map_or(String::new(), |(came, _)| came.pressing(1));
     let closed = format!("closed within {CLOSED} degrees");
     let asked = vec![

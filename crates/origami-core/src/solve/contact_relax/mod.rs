@@ -3,8 +3,6 @@
 //! The springs are the kernel's. Contact is added after them, and so the nodes are moved here: its forces and masses change
 //! from one evaluation to the next, and moves are shortened before they are made.
 
-#[cfg(feature = "newton")]
-mod hand_over;
 mod moves;
 mod run;
 
@@ -24,8 +22,7 @@ use run::Run;
 /// [`Relax`] of a sheet whose layers push each other away, and through which nothing goes: a state without crossings stays one.
 ///
 /// The settings of `relax` count, but for these: the sheet is as stiff as its material all the way, is folded once, and no
-/// saddle is sought. Newton's method takes over after half as many evaluations at the final targets as [`Relax::hand_over`] says
-/// (of up to 2000 nodes, and of what contact does not hold up). A sheet that contact keeps from its angles ends [`Stop::Blocked`](super::Stop::Blocked), which is a result.
+/// saddle is sought. A sheet that contact keeps from its angles ends [`Stop::Blocked`](super::Stop::Blocked), which is a result.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct ContactRelax {

@@ -12,7 +12,9 @@ impl Run<'_> {
         self.kernel.set_positions(&self.positions);
         let turned = self.kernel.springs(false);
         if self.steps.is_multiple_of(RENEWAL) {
-            self.renew_springs();
+            let mut sums = vec![0.0; self.springs.len()];
+            row_sums(self.model, &self.positions, &mut sums);
+            self.springs.iter_mut().zip(sums).for_each(|(own, sum)| *own = [sum, 1.0 / sum]);
         }
         self.kernel.reduce_forces(&self.springs);
         self.kernel.read_forces(&mut self.forces);
@@ -29,13 +31,6 @@ impl Run<'_> {
         }
         self.touch.most_pairs = self.touch.most_pairs.max(self.layers.listed());
         turned
-    }
-
-    /// Finds the row sums of the springs at the present positions.
-    pub(super) fn renew_springs(&mut self) {
-        let mut sums = vec![0.0; self.springs.len()];
-        row_sums(self.model, &self.positions, &mut sums);
-        self.springs.iter_mut().zip(sums).for_each(|(own, sum)| *own = [sum, 1.0 / sum]);
     }
 
     /// Takes note of an evaluation; true when the state has settled. What contact has just held up has not.

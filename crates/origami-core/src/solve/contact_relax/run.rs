@@ -23,9 +23,9 @@ use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
 
 /// One fold.
 pub(super) struct Run<'a> {
-    pub(super) solver: &'a ContactRelax,
+    solver: &'a ContactRelax,
     pub(super) model: &'a Model,
-    pub(super) scene: &'a Scene,
+    scene: &'a Scene,
     start: &'a State,
     pub(super) kernel: Kernel<f64>,
     pub(super) surroundings: Surroundings,
@@ -46,13 +46,8 @@ pub(super) struct Run<'a> {
     pub(super) felt: bool,
     pub(super) steps: u64,
     /// The evaluation at which the ramp was done.
-    pub(super) arrived: u64,
+    arrived: u64,
     pub(super) last_limited: u64,
-    /// Whether Newton's method has had its turn.
-    #[cfg(feature = "newton")]
-    pub(super) handed_over: bool,
-    /// That it has made.
-    pub(super) factorisations: u32,
     pub(super) touch: Touch,
 }
 
@@ -95,9 +90,6 @@ impl<'a> Run<'a> {
             steps: 0,
             arrived: 0,
             last_limited: 0,
-            #[cfg(feature = "newton")]
-            handed_over: false,
-            factorisations: 0,
             touch: Touch::default(),
         })
     }
@@ -116,10 +108,6 @@ impl<'a> Run<'a> {
                 self.ramp.advance();
                 self.kernel.set_targets(self.ramp.targets());
                 self.arrived = self.steps;
-            }
-            #[cfg(feature = "newton")]
-            if self.crawls() && self.hand_over(limit, observe, look).is_break() {
-                return Ok(Stop::Cancelled);
             }
             turned = self.evaluate();
             self.steps += 1;
@@ -148,33 +136,20 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// Takes the sheet as it lies in another state on the way, at rest.
-    #[cfg(feature = "newton")]
-    pub(super) fn go_on_from(&mut self, state: &State) {
-        let moved = self.positions.iter().zip(&state.positions).map(|(from, to)| from.distance(*to));
-        self.layers.moved(moved.fold(0.0, f64::max));
-        self.positions.clone_from(&state.positions);
-        self.velocities.fill(DVec3::ZERO);
-        self.fire = Fire::default();
-        self.kernel.set_angles(&state.fold_angles);
-        self.renew_springs();
-        self.settling.disturb();
-    }
-
     /// Whether a move was shortened lately.
     fn was_limited(&self) -> bool {
         self.touch.limited > 0 && self.steps - self.last_limited <= COPY_EVERY
     }
 
     /// Whether layers press, and a crease is far from the angle asked of it.
-    pub(super) fn is_held_up(&self) -> bool {
+    fn is_held_up(&self) -> bool {
         let mut angles = vec![0.0; self.model.creases.len()];
         self.kernel.read_angles(&mut angles);
         is_held_up(&self.layers, farthest(&angles, self.ramp.asked()))
     }
 
     /// All that moves, without targets.
-    pub(super) fn state(&self) -> State {
+    fn state(&self) -> State {
         let mut fold_angles = vec![0.0; self.model.creases.len()];
         self.kernel.read_angles(&mut fold_angles);
         let (positions, velocities) = (self.positions.clone(), self.velocities.clone());
@@ -192,7 +167,6 @@ impl<'a> Run<'a> {
         let distance = self.settling.distance();
         let end = End { stop, steps: self.steps, time_step: self.fire.step, distance };
         let (sheet, held) = ((self.model, self.scene), self.surroundings.held());
-        let (folded, touch) = folded(sheet, (held, &self.layers), (state, self.touch), end);
-        (Folded { factorisations: self.factorisations, ..folded }, touch)
+        folded(sheet, (held, &self.layers), (state, self.touch), end)
     }
 }

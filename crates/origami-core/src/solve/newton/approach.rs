@@ -1,16 +1,10 @@
 //! Newton's method for a sheet on which a relaxation crawls.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
-
-use glam::DVec3;
 
 use super::descent::Descent;
-use super::pressed::Pressed;
-use super::pressed_descent::{Came, Until, descend};
-use crate::contact::Layers;
 use crate::model::Model;
-use crate::scene::{Needs, Scene, Targets};
+use crate::scene::{Needs, Scene};
 use crate::solve::State;
 use crate::twins::settle_decide::STILL;
 
@@ -40,23 +34,5 @@ pub(in crate::solve) fn approach(
         if cancelled || moved < STILL * tolerance { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     let Descent { factorisations, evaluations, .. } = descent;
-    Some(Approach { state, cancelled, factorisations, evaluations })
-}
-
-/// The same under contact, from a state at which `layers` were measured. Nothing goes through anything on the way; `observe` is
-/// shown the positions after each step.
-pub(in crate::solve) fn approach_touching(
-    (model, scene): (&Model, &Scene),
-    (state, layers): (State, Layers),
-    (tolerance, factorisations, evaluations): (f64, u32, u64),
-    observe: &mut dyn FnMut(u64, &[DVec3]) -> ControlFlow<()>,
-) -> Option<Approach> {
-    let pressed = Arc::new(Pressed::new(layers, &state.positions));
-    let scene = scene.clone().with_targets(Targets::at_rest());
-    let until = Until { residual: 0.0, still: STILL * tolerance, factorisations, evaluations };
-    let mut state = state;
-    let mut watch = |evaluations, _| observe(evaluations, &pressed.positions());
-    let came = descend((model, &scene), (&mut state, &pressed), &until, &mut watch)?;
-    let Came { descent: Descent { factorisations, evaluations, .. }, cancelled, .. } = came;
     Some(Approach { state, cancelled, factorisations, evaluations })
 }

@@ -5,9 +5,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::descent::End;
+use super::descent::{Descent, End};
 use super::pressed::Pressed;
-use super::pressed_descent::{Came, Until, descend};
 use super::{Equilibrium, Newton, OutOfMemory};
 use crate::contact::Layers;
 use crate::model::{Inventory, Model};
@@ -15,6 +14,9 @@ use crate::scene::{Scene, Targets};
 use crate::solve::contact_begin::{check_contact, first_layers};
 use crate::solve::contact_end::touched;
 use crate::solve::{ContactRelax, Failed, Folded, Progress, Solver, State, Stop, Touch, Touching};
+
+/// The residual from which on the exact Hessian is taken: farther away what curves downwards is left out.
+const NEAR: f64 = 1e-3;
 
 /// [`ContactRelax`], and from where it ends Newton's method with the exact Hessian of springs and contact, to a residual at which
 /// nothing is left to converge.
@@ -83,7 +85,7 @@ impl Touching for ContactNewton {
             time_step: 1.0,
             residual: reached.residual,
             distance: reached.distance,
-            factorisations: near.factorisations + reached.factorisations,
+            factorisations: reached.factorisations,
             reactions: reached.reactions,
             ..near
         };
@@ -113,35 +115,48 @@ impl ContactNewton {
         let layers: Layers = first_layers(model, &start.positions, self.relax.contact, false).map_err(refused)?;
         let pressed = Arc::new(Pressed::new(layers, &start.positions));
         let scene = scene.clone().with_targets(Targets::at_rest());
-        let mut state = start.clone();
-        let until = Until {
-            residual: self.residual,
-            still: 0.0,
-            factorisations: self.max_factorisations,
-            evaluations: u64::MAX,
-        };
-        let came = descend((model, &scene), (&mut state, &pressed), &until, observe);
-        let Came { mut descent, end, measured, cancelled } = came.ok_or_else(|| Failed::Backend {
-            source: Arc::new(OutOfMemory { rows: 3 * model.node_count() }),
-            last_read: Box::new(start.clone()),
-            last_read_step: 0,
-        })?;
-        state.velocities.fill(DVec3::ZERO);
-        let converged = end == End::Settled;
-        let stability = descent.stability(&state, &measured);
-        let equilibrium = Equilibrium {
-            cancelled,
-            reactions: descent.reactions(&state),
-            distance: if converged { descent.distance(&state, &measured) } else { f64::INFINITY },
-            converged,
-            residual: measured.residual,
-            factorisations: descent.factorisations,
-            evaluations: descent.evaluations,
-            escapes: 0,
-            stability,
-            state: state.clone(),
-        };
-        let touch = pressed.look(&state.positions, |layers| touched(model, layers, &state, touch));
-        Ok((equilibrium, touch))
+        let (mut state, mut projected) = (start.clone(), true);
+        let (mut factorisations, mut evaluations, mut cancelled) = (0, 0, false);
+        loop {
+            pressed.grow(&state.positions, projected);
+            let mut descent =
+                Descent::under_contact(model, &scene, pressed.clone()).ok_or_else(|| Failed::Backend {
+                    source: Arc::new(OutOfMemory { rows: 3 * model.node_count() }),
+                    last_read: Box::new(start.clone()),
+                    last_read_step: 0,
+                })?;
+            (descent.factorisations, descent.evaluations) = (factorisations, evaluations);
+            let goal = if projected { NEAR.max(self.residual) } else { self.residual };
+            let mut watch = |evaluations, moved| {
+                cancelled |= observe(evaluations, moved).is_break();
+                if cancelled || pressed.outgrown() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            };
+            let (end, measured) = descent.descend(&mut state, goal, self.max_factorisations, &mut watch);
+            (factorisations, evaluations) = (descent.factorisations, descent.evaluations);
+            match end {
+                // Other layers press.
+                End::Cancelled if !cancelled => {}
+                End::Settled | End::Stuck if projected => projected = false,
+                _ => {
+                    state.velocities.fill(DVec3::ZERO);
+                    let converged = end == End::Settled;
+                    let stability = descent.stability(&state, &measured);
+                    let equilibrium = Equilibrium {
+                        cancelled,
+                        reactions: descent.reactions(&state),
+                        distance: if converged { descent.distance(&state, &measured) } else { f64::INFINITY },
+                        converged,
+                        residual: measured.residual,
+                        factorisations: descent.factorisations,
+                        evaluations: descent.evaluations,
+                        escapes: 0,
+                        stability,
+                        state: state.clone(),
+                    };
+                    let touch = pressed.look(&state.positions, |layers| touched(model, layers, &state, touch));
+                    return Ok((equilibrium, touch));
+                }
+            }
+        }
     }
 }

@@ -6,7 +6,6 @@ mod descent;
 mod factor;
 mod matrix;
 mod pressed;
-mod pressed_descent;
 mod rigid;
 
 pub use contact::ContactNewton;

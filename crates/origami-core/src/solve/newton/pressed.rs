@@ -66,11 +66,6 @@ impl Pressed {
         pairs(&inner.layers).any(|pair| !inner.pattern.contains(&pair))
     }
 
-    /// Where they were last measured.
-    pub(super) fn positions(&self) -> Vec<DVec3> {
-        self.inner().at.clone()
-    }
-
     /// The largest share of all moves alike with which nothing goes through anything.
     pub(super) fn share(&self, positions: &[DVec3], moves: &[DVec3]) -> f64 {
         let mut inner = self.inner();

@@ -68,13 +68,13 @@ fn random_folds_do_not_cross() {
 }
 
 #[test]
-#[ignore = "a thousand runs take minutes"]
+#[ignore = "seconds: a thousand runs"]
 fn a_thousand_random_folds_do_not_cross() {
     assert!(fuzz(1000) > 200);
 }
 
 #[test]
-#[ignore = "minutes: all patterns, percentages and perturbations"]
+#[ignore = "seconds: all patterns, percentages and perturbations"]
 fn nothing_crosses_in_any_pattern() {
     for name in catalog::names() {
         let model = model(name);

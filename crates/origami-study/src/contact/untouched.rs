@@ -15,7 +15,7 @@ use crate::table::{Column, Table, column};
 
 /// Patterns, and percentages at which nothing is near anything.
 const CASES: [(&str, f64); 5] =
-    [("miura", 60.0), ("miura", 90.0), ("degree-4", 70.0), ("hypar", 100.0), ("yoshimura", 100.0)];
+    [("miura", 60.0), ("miura", 90.0), ("degree-4", 70.0), ("hypar", 100.0), ("waterbomb-vertex", 100.0)];
 /// Evaluations of both.
 const STEPS: u64 = 3000;
 

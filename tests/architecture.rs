@@ -45,7 +45,7 @@ const MAY_USE: [(&str, &[&str]); 22] = [
         ],
     ),
     ("analysis", &["error", "fold", "forces", "ids", "mesh", "model", "pattern", "scene", "solve"]),
-    ("measure", &["error", "flat", "forces", "ids", "mesh", "model", "pattern", "rigid", "scene", "solve"]),
+    ("measure", &["contact", "error", "flat", "forces", "ids", "mesh", "model", "pattern", "rigid", "scene", "solve"]),
     ("export", &["error", "fold", "ids", "measure", "model", "pattern", "scene", "sequence", "solve"]),
 ];
 

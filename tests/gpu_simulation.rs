@@ -17,7 +17,7 @@ use origami::solve::{
 };
 use origami::{Dynamics, Material, Model, Relax, Solver, State};
 
-/// How far trajectories of some hundred steps may be apart, in radii: that of `tests/gpu.rs`.
+/// How far trajectories of some hundred steps may be apart, in radii: that of `tests/gpu`.
 const TRAJECTORY: f64 = 5e-6;
 
 /// How far equilibria may be apart, in radii.

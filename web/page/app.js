@@ -13,12 +13,14 @@ import { Stage } from "./stage.js";
 
 /** Changes by one hand without a pause of so many milliseconds are one to be undone. */
 const PAUSE = 700;
+/** Numbers change after so many milliseconds at the soonest: nobody reads faster, and the page is laid out anew for them. */
+const READ = 100;
 
 export class App {
     /** `kind` says what folds: a program behind a socket, a worker, or nobody, in a film. */
     constructor(engine, kind) {
         this.kind = kind;
-        this.stage = new Stage($("stage"));
+        this.stage = new Stage($("stage"), $("draft"));
         this.flat = new Flat($("flat"));
         this.selected = new Set();
         this.tool = "grab";
@@ -73,13 +75,19 @@ export class App {
             delete this.pending[kind];
             this.soon(kind, request);
         }
-        if (this.model && !this.asked && !document.hidden) {
-            this.asked = true;
-            this.ask({ do: "frame", map: $("map").value });
-        }
+        this.mayAsk = true;
+        this.askForFrame();
         this.recording.tick();
+        this.tell();
         this.stage.draw();
         this.flat.draw();
+    }
+
+    /** Asks for a picture, once in each refresh of the screen; one that comes late asks for the next at once. */
+    askForFrame() {
+        if (!this.model || this.asked || !this.mayAsk || document.hidden) return;
+        Object.assign(this, { asked: true, mayAsk: false });
+        this.ask({ do: "frame", map: $("map").value });
     }
 
     hear(reply) {
@@ -98,13 +106,21 @@ export class App {
 
     frame({ head, buffer, at }) {
         this.asked = false;
+        this.askForFrame();
         if (!this.model || buffer.byteLength - at !== 16 * this.model.nodes) return;
         this.stage.map = { wish: head.map, largest: head.map_max };
         this.stage.moved(new Float32Array(buffer, at, 4 * this.model.nodes));
-        this.last = head;
-        numbers(head);
+        this.last = this.untold = head;
         this.crossed.frame(head.crossings);
         this.recording.frame(head);
+    }
+
+    /** How the sheet is, in numbers. */
+    tell() {
+        const now = performance.now();
+        if (!this.untold || now - this.told < READ) return;
+        numbers(this.untold);
+        Object.assign(this, { untold: undefined, told: now });
     }
 
     opened(reply) {
@@ -181,7 +197,7 @@ export class App {
         this.soon("fold", slowly ? { do: "fold", percent, slowly } : { do: "fold", percent });
         this.resume();
         this.showPercent(percent);
-        this.showChosen();
+        chosen(this);
     }
 
     foldOrUnfold() {
@@ -313,6 +329,7 @@ export class App {
 
     lose(text) {
         this.live = false;
+        this.untold = undefined;
         this.toast(text);
         $("state").textContent = "Gone";
     }

@@ -15,11 +15,12 @@ export class Flat {
 
     restyle() {
         this.theme = theme(this.canvas);
+        this.lines = undefined;
         this.dirty = true;
     }
 
     open(model) {
-        Object.assign(this, { model, hover: {}, warned: { nodes: [], edges: [] }, pins: [], own: {} });
+        Object.assign(this, { model, lines: undefined, hover: {}, warned: { nodes: [], edges: [] }, pins: [], own: {} });
         this.selected.clear();
         const [xs, ys] = [0, 1].map((axis) => model.rest.filter((_, i) => i % 3 === axis));
         const [least, most] = [(list) => list.reduce((a, b) => Math.min(a, b), Infinity), (list) => list.reduce((a, b) => Math.max(a, b), -Infinity)];
@@ -43,31 +44,15 @@ export class Flat {
         const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((x) => Math.round(x * ratio));
         if (!model || (!this.dirty && canvas.width === width && canvas.height === height)) return;
         this.dirty = false;
-        Object.assign(canvas, { width, height });
-        const pen = canvas.getContext("2d");
-        pen.scale(ratio, ratio);
+        if (!this.lines || this.lines.width !== width || this.lines.height !== height) this.lines = this.pattern(width, height, ratio);
+        const pen = this.pen(canvas, width, height, ratio);
+        // Of size 0 where the page has no room for it.
+        if (width && height) pen.drawImage(this.lines, 0, 0, width / ratio, height / ratio);
+        this.stroke(pen, this.warned.edges, css(theme.warn, 0.6), 5);
+        this.stroke(pen, Object.keys(this.own).map(Number), css(theme.accent, 0.35), 5);
+        this.stroke(pen, this.selected, css(theme.accent), 3.5);
+        if (this.hover.edge !== undefined) this.stroke(pen, [this.hover.edge], css(theme.accent), 4.5);
         const at = this.place();
-        const dense = model.edges > 1500;
-        const stroke = (edges, colour, line, dash = []) => {
-            pen.beginPath();
-            for (const edge of edges) {
-                pen.moveTo(...at(model.ends[2 * edge]));
-                pen.lineTo(...at(model.ends[2 * edge + 1]));
-            }
-            Object.assign(pen, { strokeStyle: colour, lineWidth: line, lineCap: "round" });
-            pen.setLineDash(dash);
-            pen.stroke();
-        };
-        const byLetter = {};
-        for (let edge = 0; edge < model.edges; edge++)
-            if (model.ends[2 * edge] !== model.ends[2 * edge + 1]) (byLetter[model.letters[edge]] ??= []).push(edge);
-        // Borders last: they frame the rest.
-        for (const letter of Object.keys(byLetter).sort((a, b) => (a === "B") - (b === "B")))
-            stroke(byLetter[letter], css(theme[lineOf(letter)]), (letter === "B" ? 1.8 : 1.3) * (dense ? 0.5 : 1), letter === "U" ? [3, 3] : []);
-        stroke(this.warned.edges, css(theme.warn, 0.6), 5);
-        stroke(Object.keys(this.own).map(Number), css(theme.accent, 0.35), 5);
-        stroke(this.selected, css(theme.accent), 3.5);
-        if (this.hover.edge !== undefined) stroke([this.hover.edge], css(theme.accent), 4.5);
         const dot = (node, colour, size, hollow) => {
             pen.beginPath();
             pen.setLineDash([]);
@@ -78,6 +63,41 @@ export class Flat {
         this.warned.nodes.forEach((node) => dot(node, css(theme.warn), 6, true));
         this.pins.forEach((node) => dot(node, css(theme.pin), 4.5));
         if (this.hover.node !== undefined) dot(this.hover.node, css(theme.accent), 5);
+    }
+
+    /** The lines of the pattern, which stay as they are while a hand points and chooses: many take long. */
+    pattern(width, height, ratio) {
+        const { model, theme } = this;
+        const lines = document.createElement("canvas");
+        const pen = this.pen(lines, width, height, ratio);
+        const dense = model.edges > 1500;
+        const byLetter = {};
+        for (let edge = 0; edge < model.edges; edge++)
+            if (model.ends[2 * edge] !== model.ends[2 * edge + 1]) (byLetter[model.letters[edge]] ??= []).push(edge);
+        // Borders last: they frame the rest.
+        for (const letter of Object.keys(byLetter).sort((a, b) => (a === "B") - (b === "B")))
+            this.stroke(pen, byLetter[letter], css(theme[lineOf(letter)]), (letter === "B" ? 1.8 : 1.3) * (dense ? 0.5 : 1), letter === "U" ? [3, 3] : []);
+        return lines;
+    }
+
+    /** A pen for an empty canvas of so many pixels. */
+    pen(canvas, width, height, ratio) {
+        Object.assign(canvas, { width, height });
+        const pen = canvas.getContext("2d");
+        pen.scale(ratio, ratio);
+        return pen;
+    }
+
+    stroke(pen, edges, colour, line, dash = []) {
+        const at = this.place();
+        pen.beginPath();
+        for (const edge of edges) {
+            pen.moveTo(...at(this.model.ends[2 * edge]));
+            pen.lineTo(...at(this.model.ends[2 * edge + 1]));
+        }
+        Object.assign(pen, { strokeStyle: colour, lineWidth: line, lineCap: "round" });
+        pen.setLineDash(dash);
+        pen.stroke();
     }
 
     /** The crease near a place. */

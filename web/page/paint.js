@@ -1,26 +1,21 @@
-// The shaders. Nodes lie in a texture, so that a picture of the sheet is one upload, whatever is drawn of it.
+// The shaders. What they draw are nodes of the sheet, by their numbers; but wide lines, which have both of their ends at each corner.
 
-const NODES = `#version 300 es
+const SPACE = `#version 300 es
 precision highp float;
-precision highp int;
-uniform highp sampler2D nodes;
 uniform mat4 matrix;
-uniform vec2 screen;
-vec4 node(uint i) { return texelFetch(nodes, ivec2(i & 1023u, i >> 10u), 0); }
 `;
+const NODE = SPACE + "layout(location = 0) in vec4 node;\n";
 
-const FACES = [NODES + `
-in uint corner;
+const FACES = [NODE + `
 uniform float largest;
+uniform float behind;
 out vec3 place;
 out float value;
 void main() {
-    vec4 own = node(corner);
-    place = own.xyz;
-    value = own.w / largest;
-    gl_Position = matrix * vec4(own.xyz, 1);
-    // Faces that lie on each other keep one order, and do not flicker.
-    gl_Position.z += 2e-5 * float(gl_VertexID / 3 & 31) / 31.0 * gl_Position.w;
+    place = node.xyz;
+    value = node.w / largest;
+    gl_Position = matrix * vec4(node.xyz, 1);
+    gl_Position.z += behind * gl_Position.w;
 }`, `#version 300 es
 precision highp float;
 in vec3 place;
@@ -44,67 +39,54 @@ void main() {
     colour = vec4(paper * (mapped ? 0.75 + 0.25 * lit : lit), 1);
 }`];
 
-const LINES = [NODES + `
-in uvec2 ends;
-in uint kind;
-uniform vec4 colours[8];
-uniform float widths[8];
-uniform float nearer;
-out vec4 paint;
+const PLAIN = `#version 300 es
+precision highp float;
+uniform vec4 paint;
+out vec4 colour;
+void main() { colour = paint; }`;
+
+const LINES = [SPACE + `
+layout(location = 0) in vec3 from;
+layout(location = 1) in vec3 to;
+uniform vec2 screen;
+uniform float width;
+uniform float ahead;
 void main() {
-    vec4 a = matrix * vec4(node(ends.x).xyz, 1), b = matrix * vec4(node(ends.y).xyz, 1);
+    vec4 a = matrix * vec4(from, 1), b = matrix * vec4(to, 1);
     vec2 way = (b.xy / b.w - a.xy / a.w) * screen;
     way = dot(way, way) > 0.0 ? normalize(way) : vec2(0);
     // Two triangles make a line as wide as it should be.
-    int corner = int[](0, 1, 2, 2, 1, 3)[gl_VertexID % 6];
-    vec4 own = (corner & 1) == 0 ? a : b;
-    float side = corner < 2 ? 1.0 : -1.0;
-    own.xy += vec2(-way.y, way.x) * side * widths[kind] / screen * own.w;
-    own.z -= nearer * own.w;
-    paint = colours[kind];
-    gl_Position = paint.a > 0.0 && ends.x != ends.y ? own : vec4(2, 2, 2, 1);
-}`, `#version 300 es
-precision highp float;
-in vec4 paint;
-out vec4 colour;
-void main() { colour = paint; }`];
+    vec4 own = (gl_VertexID & 1) == 0 ? a : b;
+    float side = (gl_VertexID & 2) == 0 ? 1.0 : -1.0;
+    own.xy += vec2(-way.y, way.x) * side * width / screen * own.w;
+    own.z -= ahead * own.w;
+    gl_Position = own;
+}`, PLAIN];
 
 /** Lines as thin as the screen can, for so many of them that wide ones would take long. */
-const HAIRS = [NODES + `
-in uint dot;
-in uint kind;
-uniform vec4 colours[8];
-uniform float nearer;
-out vec4 paint;
+const HAIRS = [NODE + `
+uniform float ahead;
 void main() {
-    gl_Position = matrix * vec4(node(dot).xyz, 1);
-    gl_Position.z -= nearer * gl_Position.w;
-    paint = colours[kind];
-    if (paint.a == 0.0) gl_Position = vec4(2, 2, 2, 1);
-}`, LINES[1]];
+    gl_Position = matrix * vec4(node.xyz, 1);
+    gl_Position.z -= ahead * gl_Position.w;
+}`, PLAIN];
 
-const DOTS = [NODES + `
-in uint dot;
-in uint kind;
-uniform vec4 colours[8];
-uniform float widths[8];
-out vec4 paint;
-flat out float ring;
+const DOTS = [NODE + `
+uniform float width;
+uniform float ahead;
 void main() {
-    gl_Position = matrix * vec4(node(dot).xyz, 1);
-    gl_Position.z -= 2e-3 * gl_Position.w;
-    gl_PointSize = widths[kind];
-    paint = colours[kind];
-    ring = kind == 2u ? 1.0 : 0.0;
+    gl_Position = matrix * vec4(node.xyz, 1);
+    gl_Position.z -= ahead * gl_Position.w;
+    gl_PointSize = width;
 }`, `#version 300 es
 precision highp float;
-in vec4 paint;
-flat in float ring;
+uniform vec4 paint;
+uniform bool ring;
 out vec4 colour;
 void main() {
     float r = length(gl_PointCoord - 0.5) * 2.0;
-    if (r > 1.0 || (ring > 0.5 && r < 0.66)) discard;
-    colour = r > 0.72 && ring < 0.5 ? vec4(1) : paint;
+    if (r > 1.0 || (ring && r < 0.66)) discard;
+    colour = r > 0.72 && !ring ? vec4(1) : paint;
 }`];
 
 function program(gl, [vertex, fragment]) {
@@ -125,7 +107,7 @@ function program(gl, [vertex, fragment]) {
         const { name } = gl.getActiveUniform(made, i);
         places[name.replace("[0]", "")] = gl.getUniformLocation(made, name);
     }
-    return { made, places, attribute: (name) => gl.getAttribLocation(made, name) };
+    return { made, places };
 }
 
 export const programs = (gl) => ({ faces: program(gl, FACES), lines: program(gl, LINES), hairs: program(gl, HAIRS), dots: program(gl, DOTS) });

@@ -1,56 +1,33 @@
-// The sheet in space, by WebGL 2.
+// The sheet in space: what is to be seen of it, and when it is drawn. WebGL does that; but where that is the processor's work, it draws
+// only what stands still, and of what moves there is a draft.
 
 import { Camera } from "./camera.js";
-import { lineOf, ramp, theme } from "./colours.js";
-import { programs } from "./paint.js";
+import { lineOf, theme } from "./colours.js";
+import { depths } from "./depth.js";
+import { Draft } from "./draft.js";
+import { isSoftware, Painter } from "./painter.js";
 
-/** Kinds of lines, in the order of the shader's colours. */
+/** Kinds of lines, borders first: they frame the rest. As wide as so many pixels. */
 const KINDS = ["line-b", "line-m", "line-v", "line-f", "line-u"];
-const [HOVER, SELECTED, WARNED] = [5, 6, 7];
-const WIDTH = 1024;
-/** Corners that are drawn of each. */
-const CORNERS = { faces: 1, lines: 6, hairs: 1, dots: 1 };
+const WIDTHS = [1.3, 1.2, 1.2, 0.7, 0.9];
+/** From so many edges on they are as thin as the screen has them: wide ones would take long. */
+const DENSE = 4000;
 /** A sheet that has not changed for so many milliseconds stands still. */
 const CALM = 250;
-/** From so many edges on they are hairs. */
-const DENSE = 4000;
-
-/** Whether the processor draws: then four samples for each pixel take three times as long as one. */
-function isSoftware() {
-    const gl = document.createElement("canvas").getContext("webgl2");
-    const named = gl?.getExtension("WEBGL_debug_renderer_info");
-    const name = named ? gl.getParameter(named.UNMASKED_RENDERER_WEBGL) : gl?.getParameter(gl.RENDERER);
-    gl?.getExtension("WEBGL_lose_context")?.loseContext();
-    return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ?? "");
-}
 
 export class Stage {
-    constructor(canvas) {
+    constructor(canvas, draft) {
         this.canvas = canvas;
         this.camera = new Camera();
         this.shown = { faces: true, B: true, M: true, V: true, F: true, U: true, marks: true };
         this.map = { wish: "none", largest: 1 };
         this.hover = {};
         this.selected = new Set();
-        this.dirty = true;
-        this.begin();
-        canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-        canvas.addEventListener("webglcontextrestored", () => {
-            this.faces = this.lines = this.crossed = undefined;
-            this.begin();
-            if (this.model) this.open(this.model);
-        });
-    }
-
-    begin() {
-        this.software ??= isSoftware();
-        const gl = (this.gl = this.canvas.getContext("webgl2", { antialias: !this.software, alpha: false }));
-        if (!gl) throw new Error("This browser has no WebGL 2, which the picture of the sheet needs.");
-        this.programs = programs(gl);
-        this.texture = gl.createTexture();
-        gl.bindTexture(gl.TEXTURE_2D, this.texture);
-        for (const [name, value] of [["MIN_FILTER", "NEAREST"], ["MAG_FILTER", "NEAREST"], ["WRAP_S", "CLAMP_TO_EDGE"], ["WRAP_T", "CLAMP_TO_EDGE"]])
-            gl.texParameteri(gl.TEXTURE_2D, gl[`TEXTURE_${name}`], gl[value]);
+        const software = isSoftware();
+        this.painter = new Painter(canvas, !software, () => (this.dirty = true));
+        this.draft = software ? new Draft(draft) : undefined;
+        // By the processor smooth edges take four samples of each pixel, and a GPU has its own.
+        this.finest = software ? 2 : 1;
         this.restyle();
     }
 
@@ -62,188 +39,90 @@ export class Stage {
 
     /** Another pattern. */
     open(model) {
-        const gl = this.gl;
-        this.model = model;
-        this.rows = Math.ceil(model.nodes / WIDTH);
-        this.texels = new Float32Array(4 * WIDTH * this.rows);
-        gl.bindTexture(gl.TEXTURE_2D, this.texture);
-        gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, WIDTH, this.rows, 0, gl.RGBA, gl.FLOAT, null);
-        [this.faces, this.lines, this.crossed].forEach((arrays) => this.drop(arrays));
-        this.crossed = undefined;
-        this.faces = this.arrays("faces", [["corner", model.corners, 1]]);
-        const kinds = Uint32Array.from(model.letters, (letter) => KINDS.indexOf(lineOf(letter)));
-        this.hairs = model.edges > DENSE;
-        this.lines = this.hairs
-            ? this.arrays("hairs", [["dot", model.ends, 1], ["kind", Uint32Array.from(model.ends, (_, i) => kinds[i >> 1]), 1]])
-            : this.arrays("lines", [["ends", model.ends, 2], ["kind", kinds, 1]]);
+        const lines = KINDS.map(() => []);
+        for (let edge = 0; edge < model.edges; edge++) {
+            const [a, b] = model.ends.subarray(2 * edge, 2 * edge + 2);
+            if (a !== b) lines[KINDS.indexOf(lineOf(model.letters[edge]))].push(a, b);
+        }
+        Object.assign(this, { model, crossed: undefined, hover: {}, warned: { nodes: [], edges: [] }, pins: [] });
         this.selected.clear();
-        this.hover = {};
-        this.warned = { nodes: [], edges: [] };
-        this.pins = [];
+        for (const artist of [this.painter, this.draft]) artist?.open({ model, lines, depths: depths(model.triangles), dense: model.edges > DENSE });
         this.moved(model.points);
-    }
-
-    /** Attributes of each triangle, line or dot, written once for each of its corners: some drivers take long for many instances. */
-    arrays(name, attributes, usage = this.gl.STATIC_DRAW) {
-        const gl = this.gl;
-        const array = gl.createVertexArray();
-        gl.bindVertexArray(array);
-        const buffers = attributes.map(([attribute, numbers, size]) => {
-            const corners = CORNERS[name];
-            const copies = new Uint32Array(numbers.length * corners);
-            for (let i = 0; i < numbers.length; i += size)
-                for (let corner = 0; corner < corners; corner++)
-                    for (let k = 0; k < size; k++) copies[i * corners + corner * size + k] = numbers[i + k];
-            const buffer = gl.createBuffer();
-            gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-            gl.bufferData(gl.ARRAY_BUFFER, copies, usage);
-            const at = this.programs[name].attribute(attribute);
-            gl.enableVertexAttribArray(at);
-            gl.vertexAttribIPointer(at, size, gl.UNSIGNED_INT, 0, 0);
-            return buffer;
-        });
-        gl.bindVertexArray(null);
-        return { array, buffers, count: (CORNERS[name] * attributes[0][1].length) / attributes[0][2] };
-    }
-
-    /** Draws what was made by `arrays`. */
-    put({ array, count }, kind = this.gl.TRIANGLES) {
-        this.gl.bindVertexArray(array);
-        this.gl.drawArrays(kind, 0, count);
-        this.gl.bindVertexArray(null);
-    }
-
-    drop(arrays) {
-        if (!arrays) return;
-        this.gl.deleteVertexArray(arrays.array);
-        arrays.buffers.forEach((buffer) => this.gl.deleteBuffer(buffer));
     }
 
     /** Where the nodes are now: x, y, z and a value of each. */
     moved(points) {
-        const gl = this.gl;
         this.model.points = points;
-        this.texels.set(points);
-        gl.bindTexture(gl.TEXTURE_2D, this.texture);
-        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, WIDTH, this.rows, gl.RGBA, gl.FLOAT, this.texels);
-        this.dirty = true;
+        this.dirty = this.stale = true;
     }
 
     /** Shows faces that cross. */
     cross(faces) {
         if (!faces.size && !this.crossed) return;
-        this.drop(this.crossed);
         const { corners } = this.model;
         const own = [...this.model.faces.keys()].filter((triangle) => faces.has(this.model.faces[triangle]));
-        const picked = Uint32Array.from(own.flatMap((triangle) => [...corners.subarray(3 * triangle, 3 * triangle + 3)]));
-        this.crossed = picked.length ? this.arrays("faces", [["corner", picked, 1]]) : undefined;
+        this.crossed = own.length ? own.flatMap((triangle) => [...corners.subarray(3 * triangle, 3 * triangle + 3)]) : undefined;
         this.dirty = true;
     }
 
-    /** Fits the canvas to the page. Where the processor draws, what moves is drawn coarser if there is much of it, and what stands finer. */
-    fit() {
-        const finer = !this.software ? 1 : this.fine ? 2 : this.hairs ? 0.75 : 1;
-        const ratio = Math.min(devicePixelRatio || 1, 2) * finer;
-        const { clientWidth, clientHeight } = this.canvas;
-        const [width, height] = [clientWidth, clientHeight].map((x) => Math.max(1, Math.round(x * ratio)));
-        if (this.canvas.width !== width || this.canvas.height !== height) {
-            Object.assign(this.canvas, { width, height });
-            this.dirty = true;
-        }
-        Object.assign(this.camera, { width: Math.max(1, clientWidth), height: Math.max(1, clientHeight) });
-        this.ratio = ratio;
+    /** What is to be seen, for whoever draws it: colours, and the nodes of what is marked. */
+    look() {
+        const { theme, shown, map, model, hover } = this;
+        const { right, up, back } = this.camera.axes();
+        const light = right.map((x, i) => -0.35 * x + 0.55 * up[i] + 0.76 * back[i]);
+        const odd = shown.marks ? this.warned : { nodes: [], edges: [] };
+        const given = (index) => (index === undefined ? [] : [index]);
+        const ends = (edges) => edges.flatMap((edge) => [...model.ends.subarray(2 * edge, 2 * edge + 2)]);
+        return {
+            ground: theme.ground,
+            light,
+            faces: shown.faces ? [theme.front, theme.back] : undefined,
+            crossed: this.crossed ? { corners: this.crossed, sides: [theme.warn, theme.warn.map((x) => 0.75 * x)] } : undefined,
+            largest: map.wish === "none" ? undefined : map.largest || 1,
+            lines: KINDS.map((kind, i) => (shown["BMVFU"[i]] ? { colour: theme[kind], width: WIDTHS[i] } : undefined)),
+            strokes: [
+                { ends: ends(given(hover.edge)), colour: theme.accent, width: 3.2 },
+                { ends: ends([...this.selected]), colour: theme.accent, width: 2.6 },
+                { ends: ends(odd.edges), colour: theme.warn, width: 2.6 },
+            ],
+            dots: [
+                { nodes: given(hover.node), colour: theme.accent, width: 13 },
+                { nodes: this.pins, colour: theme.pin, width: 12 },
+                { nodes: odd.nodes, colour: theme.warn, width: 17, ring: true },
+            ],
+        };
     }
 
-    /** Draws, where something has changed. */
+    /** Draws, where something has changed; what stands still is drawn finer once. */
     draw() {
-        const now = performance.now();
-        if (this.dirty) Object.assign(this, { fine: false, changed: now });
-        else if (this.software && !this.fine && now - this.changed > CALM) this.fine = true;
         this.fit();
-        if (!this.dirty || !this.model) return false;
-        this.dirty = false;
-        const { gl, theme, camera, canvas } = this;
-        const matrix = camera.matrix();
-        gl.viewport(0, 0, canvas.width, canvas.height);
-        gl.clearColor(...theme.ground, 1);
-        gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-        gl.enable(gl.DEPTH_TEST);
-        const use = (name) => {
-            const { made, places } = this.programs[name];
-            gl.useProgram(made);
-            gl.uniformMatrix4fv(places.matrix, false, matrix);
-            gl.uniform1i(places.nodes, 0);
-            gl.uniform2f(places.screen, canvas.width, canvas.height);
-            return places;
-        };
-        if (this.shown.faces) {
-            const places = use("faces");
-            const { right, up, back } = camera.axes();
-            const light = right.map((x, i) => -0.35 * x + 0.55 * up[i] + 0.76 * back[i]);
-            gl.uniform3fv(places.front, theme.front);
-            gl.uniform3fv(places.back, theme.back);
-            gl.uniform3fv(places.light, light);
-            gl.uniform3fv(places.ramp, ramp());
-            gl.uniform1f(places.largest, this.map.largest || 1);
-            gl.uniform1i(places.mapped, this.map.wish !== "none" ? 1 : 0);
-            gl.enable(gl.POLYGON_OFFSET_FILL);
-            gl.polygonOffset(1, 1);
-            this.put(this.faces);
-            gl.disable(gl.POLYGON_OFFSET_FILL);
-            if (this.crossed) {
-                gl.uniform3fv(places.front, theme.warn);
-                gl.uniform3fv(places.back, theme.warn.map((x) => 0.75 * x));
-                gl.uniform1i(places.mapped, 0);
-                this.put(this.crossed);
-            }
-        }
-        const shown = ["B", "M", "V", "F", "U"].map((letter) => (this.shown[letter] ? 1 : 0));
-        const colours = KINDS.flatMap((kind, i) => [...theme[kind], shown[i]]);
-        const mark = [theme.accent, theme.accent, theme.warn].flatMap((colour) => [...colour, 1]);
-        const pen = (name) => {
-            const places = use(name);
-            gl.uniform4fv(places.colours, [...colours, ...mark]);
-            gl.uniform1f(places.nearer, 1e-4);
-            if (places.widths) gl.uniform1fv(places.widths, [1.3, 1.2, 1.2, 0.7, 0.9, 3.2, 2.6, 2.6].map((w) => w * this.ratio));
-        };
-        if (this.hairs) {
-            pen("hairs");
-            this.put(this.lines, gl.LINES);
-        }
-        pen("lines");
-        if (!this.hairs) this.put(this.lines);
-        this.drawMarks(use);
-        return true;
+        if (!this.model) return;
+        const { draft } = this;
+        const now = performance.now();
+        if (this.dirty) {
+            Object.assign(this, { dirty: false, changed: now, fine: false });
+            const drafted = draft?.draw(this.look(), this.camera);
+            if (!drafted) this.paint();
+            if (draft) draft.canvas.hidden = !drafted;
+        } else if (draft && this.fine) {
+            // Not before the finer picture is there.
+            if (!draft.canvas.hidden) draft.canvas.hidden = true;
+        } else if (draft && now - this.changed > CALM) this.paint(this.finest);
     }
 
-    /** What the hand is at, what was chosen, what is odd. */
-    drawMarks(use) {
-        const { gl, model, theme } = this;
-        const marks = this.shown.marks ? this.warned : { nodes: [], edges: [] };
-        const lines = [...marks.edges.map((e) => [e, WARNED]), ...[...this.selected].map((e) => [e, SELECTED])];
-        if (this.hover.edge !== undefined) lines.push([this.hover.edge, HOVER]);
-        if (lines.length) {
-            const places = this.programs.lines.places;
-            gl.uniform1f(places.nearer, 4e-4);
-            const ends = Uint32Array.from(lines.flatMap(([e]) => [model.ends[2 * e], model.ends[2 * e + 1]]));
-            this.once("lines", [["ends", ends, 2], ["kind", Uint32Array.from(lines, ([, kind]) => kind), 1]]);
-        }
-        const dots = [...marks.nodes.map((n) => [n, 2]), ...this.pins.map((n) => [n, 1])];
-        if (this.hover.node !== undefined) dots.push([this.hover.node, 0]);
-        if (dots.length) {
-            const places = use("dots");
-            const colours = [theme.accent, theme.pin, theme.warn].flatMap((colour) => [...colour, 1]);
-            gl.uniform4fv(places.colours, [...colours, ...new Array(20).fill(0)]);
-            gl.uniform1fv(places.widths, [13, 12, 17, 0, 0, 0, 0, 0].map((w) => w * this.ratio));
-            this.once("dots", [["dot", Uint32Array.from(dots, ([n]) => n), 1], ["kind", Uint32Array.from(dots, ([, kind]) => kind), 1]], gl.POINTS);
-        }
+    /** Fits the view to the page. */
+    fit() {
+        const { camera, canvas } = this;
+        const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((x) => Math.max(1, x));
+        if (camera.width !== width || camera.height !== height) this.dirty = true;
+        Object.assign(camera, { width, height });
     }
 
-    /** Draws arrays that are made for this picture alone. */
-    once(name, attributes, kind) {
-        const arrays = this.arrays(name, attributes, this.gl.STREAM_DRAW);
-        this.put(arrays, kind);
-        this.drop(arrays);
+    /** Draws by WebGL: by as many pixels as the screen has, or by so many for each of the page. */
+    paint(least = 1) {
+        if (this.stale) this.painter.moved(this.model.points);
+        this.painter.draw(this.look(), this.camera, Math.max(Math.min(devicePixelRatio || 1, 2), least));
+        Object.assign(this, { stale: false, fine: least === this.finest });
     }
 
     /** The node within so many pixels of a place on the screen that is nearest to the eye. */
@@ -281,10 +160,7 @@ export class Stage {
 
     /** The picture as PNG. */
     png() {
-        this.dirty = true;
-        this.draw();
-        this.changed = -Infinity;
-        this.draw();
+        this.paint(this.finest);
         return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
     }
 }

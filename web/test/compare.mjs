@@ -17,9 +17,8 @@ export function apart(one, other) {
 
 /** Some of the stage's pixels. */
 export const pixels = (page) => page.evaluate(async () => {
-    origami.stage.dirty = true;
-    origami.stage.draw();
-    const { gl, canvas } = origami.stage;
+    origami.stage.paint();
+    const { canvas, painter: { gl } } = origami.stage;
     const all = new Uint8Array(4 * canvas.width * canvas.height);
     gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
     return [...all.filter((_, i) => i % 64 < 4)];
@@ -51,14 +50,20 @@ export const FEW = 0.005;
 
 const kept = join(ROOT, "web/test/shots/");
 
-/** The picture of a canvas of the page, as PNG, 320 by 240 pixels: no text is in it, which differs from machine to machine. */
+/**
+ * The picture of a canvas of the page, as PNG, 320 by 240 pixels: no text is in it, which differs from machine to machine. Of the stage
+ * what WebGL draws, or the `draft`.
+ */
 export async function drawn(page, view = "stage") {
     const png = await page.evaluate(async (view) => {
-        const { canvas } = origami[view];
+        const { stage, flat } = origami;
+        const { canvas } = view === "flat" ? flat : stage;
         canvas.style.cssText = "position: fixed; inset: 0 auto auto 0; width: 320px; height: 240px";
-        origami[view].dirty = true;
-        origami[view].draw();
-        const blob = await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+        stage.fit();
+        if (view === "stage") stage.paint();
+        if (view === "draft") stage.draft.draw(stage.look(), stage.camera);
+        if (view === "flat") flat.draw();
+        const blob = await new Promise((resolve) => (view === "draft" ? stage.draft.canvas : canvas).toBlob(resolve, "image/png"));
         canvas.style.cssText = "";
         return [...new Uint8Array(await blob.arrayBuffer())];
     }, view);

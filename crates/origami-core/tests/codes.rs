@@ -8,7 +8,7 @@ use origami_core::error::{CreasePlace, ErrorCode, Place, WarningCode};
 use origami_core::fold::Document;
 use origami_core::generate::{Hypar, SingleCrease};
 use origami_core::ids::{EdgeId, FaceId, VertexId};
-use origami_core::measure::{folded_warnings, scene_warnings, single_precision, strained_at_rest};
+use origami_core::measure::{folded_warnings, scene_warnings, single_precision, strained_at_rest, touching_lips};
 use origami_core::{CreasePattern, Error, Material, Model, Relax, Solver, Warning};
 
 fn broken(name: &str) -> PathBuf {
@@ -224,6 +224,15 @@ fn every_kind_of_warning_has_its_code_and_its_place() {
     let place = told[0].place.clone();
     assert!(matches!(&place, Place::Vertices(one) if one.len() == 1), "{place}");
     warnings.push((told, SinglePrecision, place));
+    let slit = r#"{"vertices_coords": [[0, 0], [1, 0], [2, 0], [2, 1], [1, 1], [0, 1], [1, 0.5]],
+        "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0], [1, 6], [6, 4]],
+        "edges_assignment": ["B", "B", "B", "B", "B", "B", "C", "V"]}"#;
+    let slit = Document::from_slice(slit.as_bytes()).and_then(|document| CreasePattern::from_document(&document, 0));
+    let told: Vec<Warning> = touching_lips(&model(&slit.expect("a slit")).expect("a model")).into_iter().collect();
+    let place = told[0].place.clone();
+    assert!(matches!(&place, Place::Vertices(both) if both.contains(&VertexId(1)) && both.len() == 2), "{place}");
+    warnings.push((told, TouchingLips, place));
+    assert_eq!(touching_lips(&one), None);
     let hypar = model(&Hypar::default().pattern().expect("a hypar")).expect("a model");
     let folded = Relax::default().fold_from_rest(&hypar, 100.0).expect("it folds");
     let told = strained_at_rest(&hypar, &folded).into_iter().collect();

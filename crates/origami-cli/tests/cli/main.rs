@@ -28,4 +28,5 @@ mod shards;
 mod streams;
 mod study;
 mod sweep;
+mod tutorial;
 mod usage;

@@ -5,6 +5,8 @@ use glam::DVec3;
 
 /// The curvature of a pair is bounded by that at this share of its gap.
 pub const NEARER: f64 = 0.7;
+/// Edges whose directions enclose an angle of less sine squared than this are eased out ([`mollifier`]).
+pub(super) const EASED: f64 = 1e-3;
 
 /// The energy of a gap, or one of its derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

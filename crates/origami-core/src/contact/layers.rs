@@ -10,9 +10,12 @@ use glam::DVec3;
 
 use super::Contact;
 use super::barrier::Barrier;
+use super::drift::nearer;
+use super::groups::Groups;
 use super::pairs::{Finder, Near, Pair, eased};
 use super::soon::Soon;
-use super::task::{self, All, Felt, Task};
+use super::stars::Star;
+use super::task::{self, Felt, Here, Task};
 use crate::mesh::Mesh;
 use crate::parallel;
 pub(super) use listing::{FEW, MANY, MOST_SKINS};
@@ -44,11 +47,17 @@ pub(crate) struct Layers {
     /// The largest moves of all evaluations so far, added up; and the last of them.
     way: f64,
     last: f64,
+    /// The same of all moves, whole.
+    path: f64,
+    /// Where the nodes were when they were last felt, and the way then; no nodes where others have been measured since.
+    felt_at: Vec<DVec3>,
+    felt_way: f64,
     /// Where the nodes were when the pairs were listed, and the way then; no nodes before.
     listed_at: Vec<DVec3>,
     listed_way: f64,
-    /// Those of the pairs that may come near soon.
+    /// Those of the pairs that may come near soon, but for those of groups.
     soon: Soon,
+    groups: Groups,
     /// Pairs at the positions of the last [`Layers::measure`] whose gap may be below their width, in the order of the list.
     near: Vec<Near>,
     /// How many pairs push, as last measured in either way.
@@ -56,7 +65,7 @@ pub(crate) struct Layers {
     tasks: Vec<Task>,
     /// Kept for their memory.
     felt: Vec<Felt>,
-    wanted: Vec<u32>,
+    wanted: Vec<[u32; 2]>,
     measured: Vec<Near>,
     gaps: Vec<f64>,
     lengths: Vec<f64>,
@@ -81,9 +90,13 @@ impl Layers {
             due: Vec::new(),
             way: 0.0,
             last: 0.0,
+            path: 0.0,
+            felt_at: Vec::new(),
+            felt_way: 0.0,
             listed_at: Vec::new(),
             listed_way: 0.0,
-            soon: Soon::new(),
+            soon: Soon::new(contact.gap),
+            groups: Groups::new(Star::all(mesh, rest)),
             near: Vec::new(),
             pushing: 0,
             tasks: Vec::new(),
@@ -108,22 +121,26 @@ impl Layers {
 
     /// Measures all pairs that may push at these positions.
     pub(crate) fn measure(&mut self, positions: &[DVec3]) {
+        self.ungroup();
         // Whoever measures may ask what comes near within a move.
         let bound = self.look_for_near(positions, self.contact.gap + SPARE * self.skin);
         let Self { pairs, soon, wanted, measured, .. } = self;
         wanted.clear();
-        wanted.extend((0..).zip(&soon.due).filter(|(_, due)| **due < bound).map(|(i, _)| i));
-        let number = |i: &u32| soon.pairs[*i as usize].number;
-        let one = |i: &u32| pairs[number(i) as usize].near(number(i), positions);
+        for (kind, own) in (0..).zip(&soon.kinds) {
+            wanted.extend((0..).zip(&own.due).filter(|(_, due)| **due < bound).map(|(i, _)| [kind, i]));
+        }
+        let number = |[kind, i]: &[u32; 2]| soon.kinds[*kind as usize].pairs[*i as usize].number;
+        let one = |i: &[u32; 2]| pairs[number(i) as usize].near(number(i), positions);
         if self.shared && wanted.len() >= 2 * TASK {
             parallel::map_into(wanted, TASK, one, measured);
         } else {
             measured.clear();
             measured.extend(wanted.iter().map(one));
         }
+        let farthest = self.reach();
         std::mem::swap(&mut self.near, &mut self.measured);
-        for (i, near) in self.wanted.iter().zip(&self.near) {
-            self.soon.due[*i as usize] = near.gap + 2.0 * self.way;
+        for ([kind, i], near) in self.wanted.iter().zip(&self.near) {
+            self.soon.kinds[*kind as usize].due[*i as usize] = near.gap.min(farthest) + 2.0 * self.way;
         }
         self.pushing = self.pushing().count();
     }
@@ -131,17 +148,26 @@ impl Layers {
     /// What each node feels of the pairs at these positions; empty where nothing pushes. It is what [`Layers::measure`] and
     /// [`Layers::add`] find out, but for rounding, in less time; no pair is known for [`Layers::pushing`] then.
     pub(crate) fn felt(&mut self, positions: &[DVec3]) -> &[Felt] {
+        self.shorten_way(positions);
         let bound = self.look_for_near(positions, self.contact.gap);
         self.near.clear();
-        self.pushing = 0;
-        if self.soon.due.iter().all(|due| *due >= bound) {
+        let pushing = std::mem::take(&mut self.pushing);
+        if !self.soon.is_due(bound) && !self.groups.is_due(bound) {
             return &[];
         }
-        let Self { contact, soon, tasks, way, .. } = self;
-        let widths = std::mem::take(&mut soon.widths);
-        let all = All { contact: *contact, widths: &widths, positions, bound, twice_the_way: 2.0 * *way };
-        task::run(tasks, &all, soon, self.shared);
-        soon.widths = widths;
+        let (farthest, takes) = (self.reach(), pushing > positions.len());
+        let Self { contact, pairs, soon, groups, tasks, way, path, .. } = self;
+        let here = Here {
+            contact: *contact,
+            positions,
+            bound,
+            twice_the_way: 2.0 * *way,
+            path: *path,
+            farthest,
+            takes,
+            pairs,
+        };
+        task::run(tasks, here, soon, groups, self.shared);
         self.pushing = tasks.iter().map(|task| task.pushing).sum();
         match self.tasks.as_slice() {
             _ if self.pushing == 0 => &[],
@@ -162,10 +188,32 @@ impl Layers {
     /// Sees to it that all pairs are listed whose gap may be below that, and that all are known for which it may be below the
     /// width of contact: they are due before the result.
     fn look_for_near(&mut self, positions: &[DVec3], listed: f64) -> f64 {
+        self.measured_at();
         self.list_for(positions, listed);
         let bound = self.contact.gap + 2.0 * self.way;
         self.look_ahead(bound);
         bound
+    }
+
+    /// Pairs are going to be measured: at the positions that were last felt, or nothing is known of these any more.
+    fn measured_at(&mut self) {
+        if self.way > self.felt_way {
+            self.felt_at.clear();
+        }
+    }
+
+    /// No pair is in a group any more.
+    fn ungroup(&mut self) {
+        if self.groups.all.is_empty() {
+            return;
+        }
+        self.soon.tell(&mut self.due);
+        let Groups { all, due, places, .. } = &self.groups;
+        for ((group, places), due) in all.iter().zip(places).zip(due) {
+            group.pairs(places).for_each(|number| self.due[number as usize] = *due);
+        }
+        self.groups.clear();
+        self.soon.forget();
     }
 
     /// The pairs that push, as last measured.
@@ -222,5 +270,22 @@ impl Layers {
     pub(crate) fn moved(&mut self, largest: f64) {
         self.way += largest;
         self.last = largest;
+        self.path += largest;
+    }
+
+    /// Takes off the way what all nodes moved together since they were last felt.
+    fn shorten_way(&mut self, positions: &[DVec3]) {
+        if self.soon.len() > MANY / 2 * positions.len() {
+            if self.felt_at.len() == positions.len() && self.way > self.felt_way {
+                let half = 0.5 * nearer(&self.felt_at, positions, self.reach() + self.finder.thickest());
+                self.last = half.min(self.way - self.felt_way);
+                self.way = self.felt_way + self.last;
+            }
+            self.felt_at.clear();
+            self.felt_at.extend_from_slice(positions);
+            self.felt_way = self.way;
+        } else {
+            self.felt_at.clear();
+        }
     }
 }

@@ -11,21 +11,26 @@ mod barrier;
 mod boxes;
 mod crossings;
 mod distance;
+mod drift;
+mod groups;
 #[cfg(feature = "newton")]
 pub(crate) mod hessian;
 mod lanes;
 mod layers;
 mod limit;
+mod lips;
 mod list;
 mod pairs;
 mod pressing;
 mod settings;
 mod sieve;
 mod soon;
+mod stars;
 mod task;
 mod wedge;
 
 pub use crossings::{Crossing, Crossings};
+pub use lips::touching_lips;
 pub use list::{ListedPair, PairList};
 #[doc(hidden)]
 pub use list::{PlainContact, Pushing, constants};

@@ -8,7 +8,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::Contact;
-use super::barrier::{Barrier, NEARER, mollifier};
+use super::barrier::{Barrier, EASED, NEARER, mollifier};
 use super::boxes::{Bounds, BoxTree};
 use super::distance::{Nearest, of_edges, of_point_and_triangle};
 use super::sieve::{Candidate, Sieve};
@@ -19,9 +19,10 @@ use crate::parallel;
 
 /// Pairs come no nearer than their gap begins at this share of their distance in the flat sheet: there nothing presses.
 const OF_REST: f64 = 0.9;
-/// Edges whose directions enclose an angle of less sine squared than this are eased out ([`super::barrier::mollifier`]).
-const EASED: f64 = 1e-3;
 
+/// Things that are nearer than this in the flat sheet, in radii, touch there, such as the two lips of a cut: nothing says on which
+/// side of each other they are.
+const TOUCHING: f64 = 1e-6;
 /// Things that are farther apart in the flat sheet than so many gaps push from the whole gap on; a little more than the
 /// inverse of [`OF_REST`].
 const FAR: f64 = 1.2;
@@ -159,6 +160,11 @@ impl Finder {
         }
     }
 
+    /// The farthest that a pair can be apart and closed, in radii.
+    pub(super) fn thickest(&self) -> f64 {
+        self.thickest
+    }
+
     /// The median length of the edges at rest.
     pub(super) fn median_edge(&self) -> f64 {
         let at = |n: NodeId| self.rest[n.index()];
@@ -212,13 +218,41 @@ impl Finder {
 
     /// Finds the pairs of some points, or of edges in some parts of their tree.
     fn find_part(&self, at: &At<'_>, split: usize, part: Range<usize>, take: &mut impl FnMut(Pair, f64)) {
-        let farthest = at.reach + self.thickest;
-        let mut found = |Candidate { nodes, numbers }: Candidate, distance: f64| {
+        self.look(at, split, part, &mut |Candidate { nodes, numbers }: Candidate, distance: f64| {
             let mut pair = Pair::unmeasured(nodes, split);
             if self.measure(&mut pair, numbers) && distance - pair.closed < at.reach {
                 take(pair, distance - pair.closed);
             }
+        });
+    }
+
+    /// The pairs that touch in the flat sheet and so are none: the nodes of both things of each, and how many the first has.
+    pub(super) fn touching(&self) -> Vec<([NodeId; 4], usize)> {
+        let half = 0.5 * (TOUCHING + self.thickest);
+        let triangles = boxes(&self.triangles, &self.rest);
+        let edges: Vec<Bounds> = boxes(&self.edges, &self.rest).into_iter().map(|own| own.grown(half)).collect();
+        let at = At {
+            positions: &self.rest,
+            reach: TOUCHING,
+            tree_of_triangles: self.tree_of_triangles.moved(&triangles),
+            tree_of_edges: self.tree_of_edges.moved(&edges),
+            triangles,
+            edges,
         };
+        let mut all = Vec::new();
+        for (split, parts) in [(1, 0..self.points.len()), (2, 0..at.tree_of_edges.parts())] {
+            self.look(&at, split, parts, &mut |candidate, distance| {
+                if distance < TOUCHING {
+                    all.push((candidate.nodes, split));
+                }
+            });
+        }
+        all
+    }
+
+    /// Tells `found` of all candidates that may be within reach, and their distances.
+    fn look(&self, at: &At<'_>, split: usize, part: Range<usize>, found: &mut impl FnMut(Candidate, f64)) {
+        let farthest = at.reach + self.thickest;
         let mut sieve = Sieve::new(split == 2, at.positions, farthest);
         if split == 1 {
             for &point in &self.points[part] {
@@ -226,7 +260,7 @@ impl Finder {
                 at.tree_of_triangles.near(&own, |triangle| {
                     let [a, b, c] = self.triangles[triangle];
                     if at.triangles[triangle].meets(&own) && ![a, b, c].contains(&point) {
-                        sieve.take(Candidate { nodes: [point, a, b, c], numbers: [0, triangle] }, &mut found);
+                        sieve.take(Candidate { nodes: [point, a, b, c], numbers: [0, triangle] }, found);
                     }
                 });
             }
@@ -234,11 +268,11 @@ impl Finder {
             at.tree_of_edges.near_each_other(part, |[first, second]| {
                 let ([p, q], [r, s]) = (self.edges[first], self.edges[second]);
                 if at.edges[first].meets(&at.edges[second]) && ![r, s].contains(&p) && ![r, s].contains(&q) {
-                    sieve.take(Candidate { nodes: [p, q, r, s], numbers: [first, second] }, &mut found);
+                    sieve.take(Candidate { nodes: [p, q, r, s], numbers: [first, second] }, found);
                 }
             });
         }
-        sieve.sift(&mut found);
+        sieve.sift(found);
     }
 
     /// The gap and the thickness of a pair: less where it is narrow in the flat sheet. `numbers` are those of the triangle, or
@@ -259,6 +293,9 @@ impl Finder {
         }
         let points = pair.points(&self.rest);
         let at_rest = pair.nearest(&points).apart.length();
+        if at_rest < TOUCHING {
+            return false;
+        }
         let thickness = self.wedges.as_ref().map_or(0.0, |wedges| match pair.split {
             1 => wedges.of_point(pair.nodes[0], numbers[1], &points),
             _ => wedges.of_edges(numbers, &points),
@@ -266,7 +303,7 @@ impl Finder {
         let scale = (OF_REST * at_rest / (thickness + self.gap)).min(1.0);
         pair.width = scale * self.gap;
         pair.closed = scale * thickness;
-        pair.width > 0.0
+        true
     }
 }
 

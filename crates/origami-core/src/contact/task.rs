@@ -1,17 +1,25 @@
 //! A part of the pairs, measured and pushing, on one thread.
 
+mod grouped;
+mod part;
+
 use glam::DVec3;
 
 use super::Contact;
-use super::lanes::{Given, Measured, Push, WIDTH, measure_edges, measure_points, push};
+use super::groups::Groups;
+use super::lanes::{Arms, Given, Measured, Push, WIDTH, measure_edges, measure_points, push};
 use super::pairs::Pair;
-use super::soon::{Brief, Soon};
+use super::soon::{Brief, Kind, Soon};
+use super::stars::Star;
 use crate::ids::NodeId;
 use crate::parallel;
+use part::{Part, Those};
 
 /// Pairs that are worth a task of their own, and how many for each node: each task has forces of all nodes.
 const PAIRS: usize = 512;
-const PAIRS_OF_NODE: usize = 2;
+const PAIRS_OF_NODE: usize = 4;
+/// A group is worth as many pairs.
+const OF_GROUP: usize = 4;
 /// More tasks are never made.
 const MOST: usize = 8;
 
@@ -28,11 +36,33 @@ pub(super) struct Task {
     given: Given,
     measured: Measured,
     push: Push,
+    /// Pairs that push and that a group may take.
+    met: Vec<Met>,
+    /// Pairs that were in a group until now, of points and of edges.
+    lost: [Kind; 2],
+}
+
+/// A pair whose nearest points are not inside both of its things.
+#[derive(Clone, Copy, Debug)]
+struct Met {
+    edges: bool,
+    /// Which it is of its kind in [`Soon`].
+    index: usize,
+    /// The nodes whose weights are not 0, as bits.
+    weights: u8,
 }
 
 impl Task {
     fn new() -> Self {
-        Self { felt: Vec::new(), pushing: 0, given: Given::new(), measured: Measured::new(), push: Push::new() }
+        Self {
+            felt: Vec::new(),
+            pushing: 0,
+            given: Given::new(),
+            measured: Measured::new(),
+            push: Push::new(),
+            met: Vec::new(),
+            lost: Default::default(),
+        }
     }
 
     /// Measures and pushes its part.
@@ -40,12 +70,20 @@ impl Task {
         self.felt.clear();
         self.felt.resize(all.positions.len(), [0.0; 4]);
         self.pushing = 0;
+        self.met.clear();
         pulp::Arch::new().dispatch(Work { task: self, all, part });
     }
 
-    /// The first pairs of one kind that may push, as many as lie side by side. The result is how many were looked at.
+    /// The first pairs of one kind that may push, as many as lie side by side. The result is how many were looked at. Groups are
+    /// told of those that push by their places after `from`, where that is known.
     #[inline(always)]
-    fn block(&mut self, edges: bool, all: &All<'_>, pairs: &[Brief], due: &mut [f64]) -> usize {
+    fn block(
+        &mut self,
+        edges: bool,
+        all: &All<'_>,
+        (pairs, due): (&[Brief], &mut [f64]),
+        from: Option<usize>,
+    ) -> usize {
         let Self { given, measured, push: pushes, .. } = self;
         let mut own = [0; WIDTH];
         let (mut count, mut seen) = (0, 0);
@@ -86,8 +124,13 @@ impl Task {
             } else if gap < self.given.width[i] {
                 self.pushing += 1;
                 self.add(edges, i, &nodes[i]);
+                let single = edges && self.push.factor[i] < 1.0 || pairs[own[i]].width != 0;
+                let weights = self.measured.nodes(i);
+                if let (Some(from), true) = (from, all.takes && !single && weights != ALL) {
+                    self.met.push(Met { edges, index: from + own[i], weights });
+                }
             }
-            due[own[i]] = gap + all.twice_the_way;
+            due[own[i]] = gap.min(all.farthest) + all.twice_the_way;
         }
         seen
     }
@@ -131,22 +174,41 @@ impl Task {
     }
 }
 
-/// What all tasks look at.
+/// The bits of all four nodes of a pair.
+const ALL: u8 = 0b1111;
+
+/// Where layers are looked at.
 #[derive(Clone, Copy)]
-pub(super) struct All<'a> {
+pub(super) struct Here<'a> {
     pub(super) contact: Contact,
-    pub(super) widths: &'a [[f64; 2]],
     pub(super) positions: &'a [DVec3],
     /// Pairs that are due before this are measured.
     pub(super) bound: f64,
     pub(super) twice_the_way: f64,
+    /// The largest moves of all evaluations so far, added up.
+    pub(super) path: f64,
+    /// What is farther apart than this has not come nearer by more than the way tells.
+    pub(super) farthest: f64,
+    /// Whether groups take pairs.
+    pub(super) takes: bool,
+    /// The whole list.
+    pub(super) pairs: &'a [Pair],
 }
 
-/// Some pairs, of which the first `points` are of points; and when each is due.
-struct Part<'a> {
-    pairs: &'a [Brief],
-    points: usize,
-    due: &'a mut [f64],
+/// What all tasks look at.
+struct All<'a> {
+    here: Here<'a>,
+    widths: &'a [[f64; 2]],
+    stars: &'a [Star],
+    arms: &'a [Arms],
+}
+
+impl<'a> std::ops::Deref for All<'a> {
+    type Target = Here<'a>;
+
+    fn deref(&self) -> &Here<'a> {
+        &self.here
+    }
 }
 
 /// The work of a task, compiled for each set of instructions.
@@ -161,29 +223,58 @@ impl pulp::NullaryFnOnce for Work<'_, '_> {
 
     #[inline(always)]
     fn call(self) {
-        let Self { task, all, part: Part { pairs, points, due } } = self;
+        let Self { task, all, part: Part { points, edges, groups, group_due, places } } = self;
         let mut from = 0;
-        while from < points {
-            from += task.block(false, all, &pairs[from..points], &mut due[from..points]);
+        while from < groups.len() {
+            from += task.groups(all, (&mut groups[from..], &mut group_due[from..], &places[from..]));
         }
-        while from < pairs.len() {
-            from += task.block(true, all, &pairs[from..], &mut due[from..]);
+        let mut lost = std::mem::take(&mut task.lost);
+        for (is_edges, some) in [(false, points), (true, edges)] {
+            let mut from = 0;
+            while from < some.pairs.len() {
+                let own = (&some.pairs[from..], &mut some.due[from..]);
+                from += task.block(is_edges, all, own, Some(some.from + from));
+            }
+            let Kind { pairs, due } = &mut lost[usize::from(is_edges)];
+            let mut from = 0;
+            while from < pairs.len() {
+                from += task.block(is_edges, all, (&pairs[from..], &mut due[from..]), None);
+            }
         }
+        task.lost = lost;
     }
 }
 
 /// Measures the pairs that are due, in as many tasks as they are worth, and lets them push; by several threads or not. How
 /// many tasks there are does not depend on threads, and neither does any sum.
-pub(super) fn run(tasks: &mut Vec<Task>, all: &All<'_>, soon: &mut Soon, shared: bool) {
-    let worth = PAIRS.max(PAIRS_OF_NODE * all.positions.len());
-    let count = (soon.pairs.len() / worth).clamp(1, MOST);
+pub(super) fn run(tasks: &mut Vec<Task>, here: Here<'_>, soon: &mut Soon, groups: &mut Groups, shared: bool) {
+    let worth = PAIRS.max(PAIRS_OF_NODE * here.positions.len());
+    let count = ((soon.len() + OF_GROUP * groups.all.len()) / worth).clamp(1, MOST);
     tasks.resize_with(count, Task::new);
-    let each = soon.pairs.len().div_ceil(count);
-    let part = Part { pairs: &soon.pairs, points: soon.points, due: &mut soon.due };
-    halve(tasks, all, (part, each), shared);
+    groups.place(here.positions);
+    let all = All { here, widths: &soon.widths, stars: &groups.stars, arms: &groups.arms };
+    let [points, edges] = soon.kinds.each_mut().map(|Kind { pairs, due }| Those { pairs, due, from: 0 });
+    halve(
+        tasks,
+        &all,
+        Part { points, edges, groups: &mut groups.all, group_due: &mut groups.due, places: &groups.places },
+        shared,
+    );
+    let mut taken = 0;
+    for task in tasks {
+        for Met { edges, index, weights } in task.met.drain(..) {
+            let kind = &mut soon.kinds[usize::from(edges)];
+            if groups.take(&kind.pairs[index], !edges, weights, kind.due[index]) {
+                kind.due[index] = f64::INFINITY;
+                taken += 1;
+            }
+        }
+        soon.kinds.iter_mut().zip(&mut task.lost).for_each(|(kind, lost)| kind.append(lost));
+    }
+    soon.note_taken(taken);
 }
 
-fn halve(tasks: &mut [Task], all: &All<'_>, (part, each): (Part<'_>, usize), shared: bool) {
+fn halve(tasks: &mut [Task], all: &All<'_>, part: Part<'_>, shared: bool) {
     let half = tasks.len() / 2;
     if half == 0 {
         if let [task] = tasks {
@@ -191,14 +282,10 @@ fn halve(tasks: &mut [Task], all: &All<'_>, (part, each): (Part<'_>, usize), sha
         }
         return;
     }
-    let Part { pairs, points, due } = part;
-    let at = (half * each).min(pairs.len());
+    let [part, others] = part.split([half, tasks.len()]);
     let (first, second) = tasks.split_at_mut(half);
-    let ((pairs, other_pairs), (due, other_due)) = (pairs.split_at(at), due.split_at_mut(at));
-    let own = Part { pairs, points: points.min(at), due };
-    let others = Part { pairs: other_pairs, points: points.saturating_sub(at), due: other_due };
-    let one = move || halve(first, all, (own, each), shared);
-    let other = move || halve(second, all, (others, each), shared);
+    let one = move || halve(first, all, part, shared);
+    let other = move || halve(second, all, others, shared);
     if shared {
         parallel::join(one, other);
     } else {

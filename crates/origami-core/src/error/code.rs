@@ -187,6 +187,8 @@ codes! {
         OverFolding = "over-folding",
         /// Triangles that are nearly lines.
         Slivers = "slivers",
+        /// Lips of cuts that contact does not keep apart.
+        TouchingLips = "touching-lips",
         /// Creases too soft for single precision.
         SinglePrecision = "single-precision",
         /// A sheet that came to rest strained.

@@ -14,6 +14,8 @@ pub use crate::forces::Energy;
 pub use alignment::{Alignment, align};
 pub use angles::{AngleError, angle_error, edge_fold_angles};
 pub use closure::closures;
-pub use scene_warnings::{crushed, folded_warnings, scene_warnings, single_precision, squeezed, strained_at_rest};
+pub use scene_warnings::{
+    crushed, folded_warnings, scene_warnings, single_precision, squeezed, strained_at_rest, touching_lips,
+};
 pub use strain::{Strain, node_strains};
 pub use summary::Summary;

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::held_up::{farthest, is_held_up};
 use super::largest::largest;
 use super::relax::default_ramp;
 use super::{Failed, Folded, Progress, Solver, State, Stop};
@@ -13,8 +14,6 @@ use crate::ids::CreaseId;
 use crate::model::Model;
 use crate::scene::{Held, Reaction, Scene};
 
-/// A sheet at rest under contact that is farther than this from an angle asked of it is blocked, in degrees.
-const OFF: f64 = 10.0;
 /// Ramps for which it goes on at the final targets while contact holds it up.
 const PATIENCE: u64 = 10;
 
@@ -69,8 +68,8 @@ pub enum Ended {
     Settled,
     /// Contact has held it up for longer than [`contact_patience`].
     HeldUp,
-    /// It has come to its limit. Whether its targets had arrived, and whether a move was shortened lately.
-    Limit(bool, bool),
+    /// It has come to its limit. Whether its targets had arrived.
+    Limit(bool),
     /// As many evaluations as were asked for.
     StepsDone,
     /// It was broken off.
@@ -102,12 +101,13 @@ impl Came {
         let Self { mut state, ended, steps, time_step, distance, first_limited, limited, most_pairs } = self;
         let mut layers = Layers::new(&model.mesh, &model.rest, contact, false);
         layers.measure(&state.positions);
-        let held_up = is_held_up(&layers, farthest(&state.fold_angles, &state.targets));
+        let held_up = || is_held_up((model, scene), &layers, &state);
         let stop = match ended {
-            Ended::Settled if !held_up => Stop::Converged,
-            Ended::Settled | Ended::HeldUp => Stop::Blocked,
-            Ended::Limit(true, lately) if lately || held_up => Stop::Blocked,
-            Ended::Limit(..) => Stop::StepLimit,
+            Ended::HeldUp => Stop::Blocked,
+            Ended::Settled if held_up() => Stop::Blocked,
+            Ended::Settled => Stop::Converged,
+            Ended::Limit(true) if held_up() => Stop::Blocked,
+            Ended::Limit(_) => Stop::StepLimit,
             Ended::StepsDone => Stop::StepsDone,
             Ended::Cancelled => Stop::Cancelled,
         };
@@ -178,16 +178,4 @@ pub(super) fn residual(
     held.clear(&mut of_contact);
     all.iter_mut().zip(&of_contact).for_each(|(all, own)| *all += *own);
     (largest(&all), forces.reactions().to_vec())
-}
-
-/// Whether layers press, and a crease is far from the angle asked of it.
-pub(super) fn is_held_up(layers: &Layers, farthest: Option<(CreaseId, f64)>) -> bool {
-    layers.count() > 0 && farthest.is_some_and(|(_, off)| off > OFF.to_radians())
-}
-
-/// The crease that is farthest from the angle asked of it, and how far.
-pub(super) fn farthest(angles: &[f64], asked: &[f64]) -> Option<(CreaseId, f64)> {
-    let off = angles.iter().zip(asked).map(|(reached, asked)| (reached - asked).abs());
-    let all = off.enumerate().map(|(crease, off)| (CreaseId::new(crease), off));
-    all.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
 }

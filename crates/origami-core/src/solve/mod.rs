@@ -25,6 +25,7 @@ mod engine;
 mod failed;
 mod fire;
 mod guard;
+mod held_up;
 mod integrator;
 mod largest;
 #[cfg(feature = "newton")]

@@ -3,6 +3,7 @@
 
 mod catalog;
 mod dynamics;
+mod held_up;
 mod layers;
 mod narrowed;
 #[cfg(feature = "newton")]

@@ -6,7 +6,6 @@ use glam::DVec3;
 use origami_core::contact::{Crossings, PairList};
 use origami_core::mesh::Mesh;
 use origami_core::solve::{Came, Ended, Failed, Instance, Progress, State};
-use origami_core::twins::checkpoint::COPY_EVERY;
 
 use crate::engine::Engine;
 use crate::error::GpuError;
@@ -120,7 +119,6 @@ impl<'i, 'm> Run<'i, 'm> {
         let touch = touch.first().copied().unwrap_or_default();
         let state = state(&nodes, &creases, std::mem::take(&mut self.targets));
         self.take(state.positions.clone(), u64::from(control.step))?;
-        let is_recent = touch.limited > 0 && u64::from(control.step - touch.last_limited) <= COPY_EVERY;
         let arrived = control.ramp_step >= control.ramp_length;
         let first = || f64::from(touch.first_limited) / f64::from(control.ramp_length.max(1));
         Ok(End::Came(Box::new(Came {
@@ -130,7 +128,7 @@ impl<'i, 'm> Run<'i, 'm> {
                 _ if cancelled => Ended::Cancelled,
                 _ if steps_asked => Ended::StepsDone,
                 HELD_UP => Ended::HeldUp,
-                _ => Ended::Limit(arrived, is_recent),
+                _ => Ended::Limit(arrived),
             },
             steps: u64::from(control.step),
             time_step: f64::from(control.fire_step),

@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, in_blocks, soft_creases};
+use super::parts::{in_blocks, soft_creases};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `block_forces.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

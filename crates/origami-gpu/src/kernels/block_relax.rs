@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, in_blocks};
+use super::parts::in_blocks;
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `block_relax.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, fire};
+use super::parts::fire;
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `contact_aim.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, creases};
+use super::parts::creases;
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `fold_angles.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

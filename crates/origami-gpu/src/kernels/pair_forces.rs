@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, pairs};
+use super::parts::pairs;
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `pair_forces.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

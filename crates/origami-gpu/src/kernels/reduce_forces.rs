@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, fire, gather};
+use super::parts::{fire, gather};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `reduce_forces.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, soft_creases, springs};
+use super::parts::{soft_creases, springs};
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `row_sums.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

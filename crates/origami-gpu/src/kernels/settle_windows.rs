@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, force_on};
+use super::parts::force_on;
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `settle_windows.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

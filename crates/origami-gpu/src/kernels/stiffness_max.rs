@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, gather};
+use super::parts::gather;
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `stiffness_max.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

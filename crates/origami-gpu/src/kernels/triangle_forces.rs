@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Binding, Kernel, Per, SHARED, springs};
+use super::parts::springs;
+use super::{Binding, Kernel, Per, SHARED};
 
 /// The kernel of `triangle_forces.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

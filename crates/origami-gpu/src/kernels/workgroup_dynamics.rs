@@ -2,7 +2,8 @@
 
 use origami_shaders as wgsl;
 
-use super::{Kernel, Per, SHARED, WHOLE_SHEET, whole_sheet};
+use super::parts::whole_sheet;
+use super::{Kernel, Per, SHARED, WHOLE_SHEET};
 
 /// The kernel of `workgroup_dynamics.wgsl`.
 pub(crate) const KERNEL: Kernel = Kernel {

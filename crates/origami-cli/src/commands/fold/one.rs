@@ -98,6 +98,7 @@ fn attempt(
     let computer = settings.backend.choose(&settings.method, model.node_count());
     let mut warnings =
         scene_warnings(&pattern, &model, &settings.percents, computer.adapter.is_some().then_some(settings.tolerance));
+    warnings.extend(settings.contact.and_then(|_| measure::touching_lips(&model)));
     told.warnings.extend(warnings.iter().cloned().chain(computer.warning));
     warnings.splice(0..0, pattern.warnings.iter().cloned());
     let contact = settings.contact.map(|asked| asked.of(&model));

@@ -6,12 +6,14 @@
 mod barrier;
 mod edges;
 mod point_triangle;
+mod star;
 #[cfg(test)]
 mod tests;
 
 pub(super) use barrier::{Push, push};
 pub(super) use edges::measure_edges;
 pub(super) use point_triangle::measure_points;
+pub(super) use star::{Arms, not_below_zero};
 
 use glam::DVec3;
 
@@ -79,6 +81,13 @@ impl Measured {
     #[inline(always)]
     pub(super) fn is_parallel(&self, i: usize) -> bool {
         self.sine[i] <= PARALLEL
+    }
+
+    /// Which nodes of pair `i` have a weight that is not 0, as bits.
+    #[inline(always)]
+    pub(super) fn nodes(&self, i: usize) -> u8 {
+        let bits = self.weights.iter().enumerate().map(|(node, row)| u8::from(row[i] != 0.0) << node);
+        bits.fold(0, |all, bit| all | bit)
     }
 
     /// Takes the nearest points of pair `i`.

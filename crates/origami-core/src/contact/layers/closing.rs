@@ -33,6 +33,7 @@ impl Layers {
         share: f64,
         longest: f64,
     ) -> Step {
+        self.ungroup();
         let swiftest = velocities.iter().map(|v| v.length_squared()).fold(0.0, f64::max).sqrt();
         self.widen(positions, swiftest * longest);
         // Pairs that are not listed are out of reach.
@@ -40,14 +41,15 @@ impl Layers {
         let mut step =
             Step { time: if swiftest * longest > within { within / swiftest } else { longest }, limited: false };
         let bound = self.look_for_near_within(positions, self.contact.gap + 2.0 * step.time * swiftest);
+        let farthest = self.reach();
         let Self { pairs, soon, way, .. } = self;
-        for (brief, due) in soon.pairs.iter().zip(&mut soon.due) {
+        for (brief, due) in soon.iter_mut() {
             if *due >= bound {
                 continue;
             }
             let pair = &pairs[brief.number as usize];
             let near = pair.near(brief.number, positions);
-            *due = near.gap + 2.0 * *way;
+            *due = near.gap.min(farthest) + 2.0 * *way;
             let closed = near.gap < CLOSED * FLOOR * pair.width;
             let may_lose = match near.gap - pair.width {
                 beyond if beyond > 0.0 => beyond + share * pair.width,

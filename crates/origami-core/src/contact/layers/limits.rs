@@ -17,21 +17,31 @@ impl Layers {
         self.shares.resize(moves.len(), 1.0);
         let largest = self.lengths.iter().copied().fold(0.0, f64::max);
         let bound = self.look_for_limits(positions, largest);
-        let Self { pairs, lengths, shares, soon, way, .. } = self;
+        let farthest = self.reach();
+        let Self { pairs, lengths, shares, soon, groups, way, contact, .. } = self;
         let most = |nodes: &[NodeId]| nodes.iter().map(|n| lengths[n.index()]).fold(0.0, f64::max);
-        for (brief, due) in soon.pairs.iter().zip(&mut soon.due) {
-            if *due >= bound {
-                continue;
-            }
-            let pair = &pairs[brief.number as usize];
+        let mut look = |number: u32, due: f64| {
+            let pair = &pairs[number as usize];
             let (first, second) = pair.nodes.split_at(pair.split);
             let within = WITHIN * (most(first) + most(second)) + FLOOR * pair.width;
-            if *due - 2.0 * *way < within {
-                let near = pair.near(brief.number, positions);
-                *due = near.gap + 2.0 * *way;
-                if near.gap < within {
-                    limit_pair(pair, &near, (positions, moves), Shares(shares));
-                }
+            if due - 2.0 * *way >= within {
+                return None;
+            }
+            let near = pair.near(number, positions);
+            if near.gap < within {
+                limit_pair(pair, &near, (positions, moves), Shares(shares));
+            }
+            Some(near.gap.min(farthest) + 2.0 * *way)
+        };
+        for (brief, due) in soon.iter_mut().filter(|(_, due)| **due < bound) {
+            *due = look(brief.number, *due).unwrap_or(*due);
+        }
+        let own = groups.all.iter().zip(&groups.places).zip(&groups.due);
+        for ((group, places), due) in own.filter(|(_, due)| **due < bound) {
+            // The longest that any of its nodes may move.
+            let [first, second] = group.corners.map(|c| most(&[c]).max(most(&groups.stars[c.index()].ends)));
+            if *due - 2.0 * *way < WITHIN * (first + second) + FLOOR * contact.gap {
+                group.pairs(places).for_each(|number| _ = look(number, *due));
             }
         }
         &self.shares
@@ -40,7 +50,7 @@ impl Layers {
     /// Whether some pair may be in the way of moves no longer than this, in radii, from the positions last measured.
     pub(crate) fn in_the_way(&mut self, positions: &[DVec3], largest: f64) -> bool {
         let bound = self.look_for_limits(positions, largest);
-        self.soon.due.iter().any(|due| *due < bound)
+        self.soon.is_due(bound) || self.groups.is_due(bound)
     }
 
     /// Sees to it that all pairs are known that may be in the way of moves no longer than this: they are due before the result.
@@ -50,6 +60,7 @@ impl Layers {
 
     /// Sees to it that all pairs are known whose gap may be below `within`: they are due before the result.
     pub(super) fn look_for_near_within(&mut self, positions: &[DVec3], within: f64) -> f64 {
+        self.measured_at();
         let known = !self.near.is_empty();
         if self.list_for(positions, within.max(self.contact.gap)) && known {
             // They have other places in the list.

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::super::drift::nearer;
 use super::Layers;
 
 /// Pairs are listed up to so many skins beyond the gap where few are found there. More: lists last longer and are longer.
@@ -22,11 +23,10 @@ impl Layers {
             if self.way - self.listed_way <= most {
                 return false;
             }
-            let moved = |(p, listed): (&DVec3, &DVec3)| (*p - *listed).length_squared();
-            let farthest = positions.iter().zip(&self.listed_at).map(moved).fold(0.0, f64::max).sqrt();
-            // They cannot be farther than that before the way is so much longer.
-            self.listed_way = self.way - farthest;
-            if farthest <= most {
+            // What is not listed was farther apart; it cannot come nearer than that before the way is so much longer.
+            let half = 0.5 * nearer(&self.listed_at, positions, self.reach() + self.finder.thickest());
+            self.listed_way = self.way - half;
+            if half <= most {
                 return false;
             }
         }
@@ -45,14 +45,19 @@ impl Layers {
             }
         }
         self.room = self.room.clamp(self.least_room, self.least_room.max(MOST_SKINS * self.skin));
-        let reach = self.contact.gap + self.room;
-        self.finder.find(positions, reach, &mut self.pairs, &mut self.gaps);
+        self.finder.find(positions, self.reach(), &mut self.pairs, &mut self.gaps);
         self.due.clear();
         self.due.extend(self.gaps.iter().map(|gap| gap + 2.0 * self.way));
         self.listed_at.clear();
         self.listed_at.extend_from_slice(positions);
         self.listed_way = self.way;
         self.soon.forget();
+        self.groups.clear();
+    }
+
+    /// Pairs whose gap is below this are listed, in radii.
+    pub(super) fn reach(&self) -> f64 {
+        self.contact.gap + self.room
     }
 
     /// Sees to it that all pairs that are due before `bound` are known.

@@ -1,5 +1,7 @@
 //! What layers do to each other, against what was asked of them.
 
+mod stacked;
+
 use super::*;
 use crate::contact::Crossings;
 use crate::generate::catalog;

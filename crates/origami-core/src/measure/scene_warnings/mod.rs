@@ -8,11 +8,13 @@ mod single_precision;
 mod slivers;
 mod squeezed_triangles;
 mod strained_at_rest;
+mod touching_lips;
 
 pub use crushed_triangles::crushed;
 pub use single_precision::single_precision;
 pub use squeezed_triangles::squeezed;
 pub use strained_at_rest::strained_at_rest;
+pub use touching_lips::touching_lips;
 
 use crate::error::Warning;
 use crate::model::Model;

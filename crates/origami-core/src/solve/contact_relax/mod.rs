@@ -89,8 +89,17 @@ impl ContactRelax {
         self.relax.check(model, scene).map_err(refused)?;
         check_contact(self.contact, self.relax.precision, scene).map_err(refused)?;
         let targets = scene.targets.of(model).map_err(refused)?;
-        let positions = self.relax.first_positions(model, start, scene, &targets);
-        let mut run = Run::new(self, (model, scene, start), (positions, targets), threads)?;
+        let begin = |relax: &Relax| {
+            let positions = relax.first_positions(model, start, scene, &targets);
+            Run::new(self, (model, scene, start), (positions, targets.clone()), threads)
+        };
+        let mut run = match begin(&self.relax) {
+            // The perturbation may take the lips of a narrow cut through each other.
+            Err(failed) if self.relax.perturbation > 0.0 => {
+                begin(&Relax { perturbation: 0.0, ..self.relax.clone() }).map_err(|_| failed)?
+            }
+            begun => begun?,
+        };
         let stop = run.go(observe, look)?;
         Ok(run.into_folded(stop))
     }

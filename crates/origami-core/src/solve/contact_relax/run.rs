@@ -5,8 +5,9 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 
 use super::super::contact_begin::first_layers;
-use super::super::contact_end::{End, Touch, contact_patience, farthest, folded, is_held_up};
+use super::super::contact_end::{End, Touch, contact_patience, folded};
 use super::super::guard::Guard;
+use super::super::held_up::is_held_up;
 use super::super::ramp::Ramp;
 use super::super::relax::ramp_between;
 use super::super::settle::Settling;
@@ -101,7 +102,7 @@ impl<'a> Run<'a> {
     ) -> Result<Stop, Failed> {
         let relax = &self.solver.relax;
         let (limit, all) = (relax.steps.unwrap_or(relax.max_steps), relax.steps.is_some());
-        let patience = contact_patience(self.model);
+        let mut patience = contact_patience(self.model);
         let mut turned = 0.0;
         while self.steps < limit {
             if !self.ramp.done() && turned <= HOLD {
@@ -115,7 +116,10 @@ impl<'a> Run<'a> {
                 return Ok(if self.is_held_up() { Stop::Blocked } else { Stop::Converged });
             }
             if !all && self.ramp.done() && self.steps - self.arrived > patience && self.was_limited() {
-                return Ok(Stop::Blocked);
+                if self.is_held_up() {
+                    return Ok(Stop::Blocked);
+                }
+                patience *= 2;
             }
             self.advance();
             look(self.steps, &self.positions);
@@ -129,7 +133,7 @@ impl<'a> Run<'a> {
                 return Ok(Stop::Cancelled);
             }
         }
-        Ok(match (all, self.ramp.done() && (self.was_limited() || self.is_held_up())) {
+        Ok(match (all, !all && self.ramp.done() && self.is_held_up()) {
             (true, _) => Stop::StepsDone,
             (false, true) => Stop::Blocked,
             (false, false) => Stop::StepLimit,
@@ -141,11 +145,10 @@ impl<'a> Run<'a> {
         self.touch.limited > 0 && self.steps - self.last_limited <= COPY_EVERY
     }
 
-    /// Whether layers press, and a crease is far from the angle asked of it.
+    /// Whether it is contact that keeps it from its angles.
     fn is_held_up(&self) -> bool {
-        let mut angles = vec![0.0; self.model.creases.len()];
-        self.kernel.read_angles(&mut angles);
-        is_held_up(&self.layers, farthest(&angles, self.ramp.asked()))
+        let state = State { targets: self.ramp.asked().to_vec(), ..self.state() };
+        is_held_up((self.model, self.scene), &self.layers, &state)
     }
 
     /// All that moves, without targets.

@@ -1,29 +1,24 @@
-//! The paper's motion of a sheet that cannot go through itself.
-//!
-//! Nodes have mass 1 and are moved by springs, damping and contact. Contact is far stiffer than the springs once layers press,
-//! and begins at once where they meet, so that steps become as short as it asks for, all of the sheet's.
+//! One motion under contact.
 
 use std::ops::ControlFlow;
 
 use glam::DVec3;
 
-use super::contact_begin::{check_contact, first_layers};
-use super::contact_end::{End, farthest, folded, is_held_up};
-use super::guard::Guard;
-use super::ramp::Ramp;
-use super::row_sums::row_sums;
-use super::settle::Settling;
-use super::surroundings::Surroundings;
-use super::threads::{count, share};
-use super::{
-    Dynamics, Failed, Folded, Integrator, Progress, REPORT, Solver, State, Stop, TimeStep, Touch, Touching, time_step,
-    unwatched,
-};
-use crate::contact::{Contact, Layers};
+use super::ContactDynamics;
+use crate::contact::Layers;
 use crate::forces::damping;
 use crate::kernel::{Bounds, Kernel};
-use crate::model::{Inventory, Model};
+use crate::model::Model;
 use crate::scene::Scene;
+use crate::solve::contact_begin::first_layers;
+use crate::solve::contact_end::{End, Touch, folded};
+use crate::solve::guard::Guard;
+use crate::solve::held_up::is_held_up;
+use crate::solve::ramp::Ramp;
+use crate::solve::row_sums::row_sums;
+use crate::solve::settle::Settling;
+use crate::solve::surroundings::Surroundings;
+use crate::solve::{Dynamics, Failed, Folded, Integrator, Progress, REPORT, State, Stop, TimeStep, time_step};
 use crate::twins::checkpoint::COPY_EVERY;
 use crate::twins::safe_time_step::RENEWAL;
 use crate::twins::state_bounds::{FARTHEST, LONGEST_MOVE};
@@ -36,90 +31,8 @@ const OF_A_GAP: f64 = 0.025;
 /// Of a sheet that is damped, and loses energy anyway, steps are so many times as long.
 const DAMPED: f64 = 4.0;
 
-/// [`Dynamics`] of a sheet whose layers push each other away, and through which nothing goes: a state without crossings stays
-/// one.
-///
-/// The settings of `dynamics` count; a step is as long as its rule says where nothing touches, and where layers press or come
-/// near to each other so short that energy is kept. A sheet that comes to rest while contact keeps it from its angles ends
-/// [`Stop::Blocked`].
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
-pub struct ContactDynamics {
-    /// Time step, integrator, ramp, tolerance, limits and threads.
-    pub dynamics: Dynamics,
-    /// How paper keeps away from paper.
-    pub contact: Contact,
-}
-
-impl Solver for ContactDynamics {
-    fn fold(
-        &self,
-        model: &Model,
-        start: &State,
-        scene: &Scene,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<Folded, Failed> {
-        self.fold_touching(model, start, scene, observe).map(|(folded, _)| folded)
-    }
-
-    fn inventory(&self, model: &Model) -> Inventory {
-        self.dynamics.inventory(model)
-    }
-}
-
-/// [`Touch::limited`] counts the steps in which something was stopped that met other layers too hard for contact to brake it:
-/// energy is lost in them, and in no others.
-impl Touching for ContactDynamics {
-    fn fold_touching(
-        &self,
-        model: &Model,
-        start: &State,
-        scene: &Scene,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<(Folded, Touch), Failed> {
-        share(count(model, self.dynamics.threads), observe, |threads, observe| {
-            self.run((model, scene, start), threads, observe, &mut |_, _| {})
-        })
-    }
-}
-
-impl ContactDynamics {
-    /// As [`Touching::fold_touching`] on one thread; `look` is shown the positions after every step, with its number.
-    ///
-    /// # Errors
-    /// As that.
-    #[doc(hidden)]
-    pub fn fold_looking(
-        &self,
-        model: &Model,
-        start: &State,
-        scene: &Scene,
-        look: &mut dyn FnMut(u64, &[DVec3]),
-    ) -> Result<(Folded, Touch), Failed> {
-        self.run((model, scene, start), 1, &mut unwatched, look)
-    }
-
-    fn run(
-        &self,
-        (model, scene, start): (&Model, &Scene, &State),
-        threads: usize,
-        observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-        look: &mut dyn FnMut(u64, &[DVec3]),
-    ) -> Result<(Folded, Touch), Failed> {
-        let dynamics = &self.dynamics;
-        let refused = |refusal| Failed::refused(refusal, start);
-        let balanced = || if dynamics.steps.is_none() { scene.check_balance(model) } else { Ok(()) };
-        let checked = dynamics.check(model, scene).and_then(|()| balanced());
-        checked.and_then(|()| check_contact(self.contact, dynamics.precision, scene)).map_err(refused)?;
-        let targets = scene.targets.of(model).map_err(refused)?;
-        let mut run = Run::new(self, (model, scene, start), targets, threads)?;
-        let stop = run.go(observe, look)?;
-        Ok(run.into_folded(stop))
-    }
-}
-
 /// One motion.
-struct Run<'a> {
+pub(super) struct Run<'a> {
     dynamics: &'a Dynamics,
     model: &'a Model,
     scene: &'a Scene,
@@ -149,7 +62,7 @@ struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    fn new(
+    pub(super) fn new(
         solver: &'a ContactDynamics,
         (model, scene, start): (&'a Model, &'a Scene, &'a State),
         targets: Vec<f64>,
@@ -201,7 +114,7 @@ impl<'a> Run<'a> {
         })
     }
 
-    fn go(
+    pub(super) fn go(
         &mut self,
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
         look: &mut dyn FnMut(u64, &[DVec3]),
@@ -327,8 +240,10 @@ impl<'a> Run<'a> {
         OF_A_SWING * self.coarser() / both.map(|(pressed, springs)| pressed + springs).fold(0.0, f64::max).sqrt()
     }
 
+    /// Whether it is contact that keeps it from its angles.
     fn is_held_up(&self) -> bool {
-        is_held_up(&self.layers, farthest(&self.angles(), self.ramp.asked()))
+        let state = State { targets: self.ramp.asked().to_vec(), ..self.state() };
+        is_held_up((self.model, self.scene), &self.layers, &state)
     }
 
     fn angles(&self) -> Vec<f64> {
@@ -344,7 +259,7 @@ impl<'a> Run<'a> {
     }
 
     /// The state that it has come to, its velocities those at its positions.
-    fn into_folded(mut self, stop: Stop) -> (Folded, Touch) {
+    pub(super) fn into_folded(mut self, stop: Stop) -> (Folded, Touch) {
         self.evaluate();
         if !matches!(stop, Stop::Converged | Stop::Blocked) {
             self.damp();

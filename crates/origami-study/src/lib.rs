@@ -27,6 +27,7 @@
 pub mod accuracy;
 pub mod backwards;
 pub mod contact;
+mod crossings;
 pub mod flat;
 mod gpu_choice;
 mod options;

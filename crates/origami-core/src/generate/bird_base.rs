@@ -1,11 +1,11 @@
 //! The bird base.
 
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, FRAC_PI_8, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, FRAC_PI_8, PI};
 
 use glam::{DAffine2, DVec2};
 
 use super::builder::{between, positive};
-use super::flat_fold::FlatFold;
+use super::flat_fold::{FlatFold, FoldLine};
 use crate::error::Error;
 use crate::pattern::CreasePattern;
 
@@ -16,11 +16,13 @@ pub struct BirdBase {
     pub size: f64,
     /// How far every crease folds, above 0 and at most pi. Default pi.
     pub angle: f64,
+    /// Whether the outer edges of the two legs are folded to their middle, as a crane begins. Default false.
+    pub narrowed: bool,
 }
 
 impl Default for BirdBase {
     fn default() -> Self {
-        Self { size: 1.0, angle: PI }
+        Self { size: 1.0, angle: PI, narrowed: false }
     }
 }
 
@@ -32,7 +34,11 @@ impl BirdBase {
     pub fn pattern(&self) -> Result<CreasePattern, Error> {
         positive("size", self.size)?;
         between("angle", self.angle, 0.0, PI.next_up())?;
-        let mut pattern = bird_base().pattern(upright(self.size));
+        let mut paper = bird_base();
+        if self.narrowed {
+            narrow_legs(&mut paper);
+        }
+        let mut pattern = paper.pattern(upright(self.size));
         for angle in pattern.edges.iter_mut().filter_map(|edge| edge.fold_angle.as_mut()) {
             *angle = self.angle.copysign(*angle) * f64::from(*angle != 0.0);
         }
@@ -81,6 +87,22 @@ pub(super) fn bird_base() -> FlatFold {
     FlatFold::new(points, facets, &folds)
 }
 
+/// Folds the legs' outer edges to the middle, in front and behind.
+pub(super) fn narrow_legs(paper: &mut FlatFold) {
+    let tips = DVec2::new(0.0, -HALF_DIAGONAL);
+    for (petal, left) in PETALS.into_iter().zip([true, true, false, false]) {
+        let slant = FRAC_PI_8 / 2.0;
+        let direction = DVec2::from_angle(FRAC_PI_2 + if left { slant } else { -slant });
+        let line = FoldLine::new(tips, direction, paper.folded(petal));
+        paper.fold(petal, line, PI, in_front);
+    }
+}
+
+/// 1 for points of the sheet that the bird base has in front, -1 for those behind.
+pub(super) fn in_front(place: DVec2) -> f64 {
+    if place.y < 0.0 { 1.0 } else { -1.0 }
+}
+
 /// From the square of side 1 on its corner to one of the given side on its edge.
 pub(super) fn upright(size: f64) -> DAffine2 {
     DAffine2::from_scale_angle_translation(DVec2::splat(size), FRAC_PI_4, DVec2::ZERO)
@@ -109,9 +131,24 @@ mod tests {
         assert_eq!([count(Assignment::Mountain), count(Assignment::Valley), count(Assignment::Flat)], [12, 4, 0]);
     }
 
+    /// The whole leg is half as wide, and as long as before.
+    #[test]
+    fn a_narrowed_one_folds_flat_too() {
+        let pattern = BirdBase { narrowed: true, ..BirdBase::default() }.pattern().unwrap();
+        check::sound_and_flat(&pattern, 1);
+        let folded = check::folds_flat(&pattern);
+        let [middle, front, left, _, right] = [0, 1, 2, 3, 4].map(|v| folded[v]);
+        assert!(left.distance(right) < 1e-12 && (left.distance(middle) - 0.5f64.sqrt()).abs() < 1e-12);
+        let along = (left - middle).normalize();
+        for petal in PETALS.map(|v| folded[v] - left) {
+            assert!(petal.perp_dot(along).abs() < 1e-12, "folded to the middle: {petal}");
+        }
+        assert!((front.distance(left) - 1.0).abs() < 1e-12, "the wings as they were");
+    }
+
     #[test]
     fn stands_on_its_edge() {
-        let pattern = BirdBase { size: 3.0, angle: 1.0 }.pattern().unwrap();
+        let pattern = BirdBase { size: 3.0, angle: 1.0, narrowed: false }.pattern().unwrap();
         for v in CORNERS {
             assert!((pattern.vertices[v].abs().truncate() - DVec2::splat(1.5)).length() < 1e-12);
         }

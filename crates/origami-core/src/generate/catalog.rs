@@ -308,8 +308,15 @@ const ENTRIES: &[Entry] = &[
     Entry {
         name: "bird-base",
         summary: "the traditional bird base",
-        parameters: &[parameter("size", 1.0, "side of the square"), ANGLE],
-        make: |v| BirdBase { size: v.number("size"), angle: v.angle("angle") }.pattern(),
+        parameters: &[
+            parameter("size", 1.0, "side of the square"),
+            ANGLE,
+            parameter("narrowed", 0.0, "1 to fold the outer edges of the legs to their middle, 0 not to"),
+        ],
+        make: |v| {
+            let (size, angle, narrowed) = (v.number("size"), v.angle("angle"), v.flag("narrowed")?);
+            BirdBase { size, angle, narrowed }.pattern()
+        },
     },
     Entry {
         name: "crane",

@@ -1,10 +1,10 @@
 //! The traditional crane, folded step by step from the bird base.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec2;
 
-use super::bird_base::{CORNERS, HALF_DIAGONAL, PETALS, bird_base, upright};
+use super::bird_base::{CORNERS, bird_base, in_front, narrow_legs, upright};
 use super::builder::{between, positive, share};
 use super::flat_fold::{FlatFold, FoldLine};
 use crate::error::Error;
@@ -57,7 +57,7 @@ impl Crane {
 
         let mut paper = bird_base();
         let [front, left, behind, right] = CORNERS;
-        self.narrow_legs(&mut paper);
+        narrow_legs(&mut paper);
         let neck = Flap { tip: left, spine: -DVec2::Y, open: -DVec2::X };
         let neck = neck.reverse_fold(&mut paper, FLAP, self.neck);
         neck.reverse_fold(&mut paper, FLAP * self.head_length, self.head);
@@ -68,17 +68,6 @@ impl Crane {
             paper.fold(wing, line, self.wing, in_front);
         }
         Ok(paper.pattern(upright(self.size)))
-    }
-
-    /// Folds the legs' outer edges to the middle, in front and behind.
-    fn narrow_legs(&self, paper: &mut FlatFold) {
-        let tips = DVec2::new(0.0, -HALF_DIAGONAL);
-        for (petal, left) in PETALS.into_iter().zip([true, true, false, false]) {
-            let slant = FRAC_PI_8 / 2.0;
-            let direction = DVec2::from_angle(FRAC_PI_2 + if left { slant } else { -slant });
-            let line = FoldLine::new(tips, direction, paper.folded(petal));
-            paper.fold(petal, line, PI, in_front);
-        }
     }
 }
 
@@ -104,16 +93,12 @@ impl Flap {
     }
 }
 
-/// 1 for points of the sheet that the bird base has in front, -1 for those behind.
-fn in_front(place: DVec2) -> f64 {
-    if place.y < 0.0 { 1.0 } else { -1.0 }
-}
-
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::generate::bird_base::HALF_DIAGONAL;
     use crate::generate::check;
 
     fn folds_flat(crane: Crane) -> CreasePattern {

@@ -41,11 +41,7 @@ impl Order<'_> {
     pub fn search(&mut self, seen: &[[DVec2; 3]]) -> Result<(), NoOrder> {
         let thirds = thirds(self.pairs(), seen);
         let (pairs, part) = self.parts(&thirds);
-        self.limit_to(thirds);
-        self.follow();
-        if self.take_contradiction() {
-            return Err(NoOrder::Contradiction);
-        }
+        self.begin(thirds)?;
         let mut place = vec![0; pairs.len()];
         pairs.iter().enumerate().for_each(|(i, pair)| place[*pair] = i);
         let (mut tried, mut at, mut left): (Vec<Tried>, usize, usize) = (Vec::new(), 0, MOST);
@@ -71,6 +67,20 @@ impl Order<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Answers the pairs whose order follows from the conditions alone; `seen` as for [`Order::search`].
+    ///
+    /// # Errors
+    /// [`NoOrder::Contradiction`] where there is none.
+    pub(super) fn force(&mut self, seen: &[[DVec2; 3]]) -> Result<(), NoOrder> {
+        self.begin(thirds(self.pairs(), seen))
+    }
+
+    fn begin(&mut self, thirds: Vec<Vec<u32>>) -> Result<(), NoOrder> {
+        self.limit_to(thirds);
+        self.follow();
+        if self.take_contradiction() { Err(NoOrder::Contradiction) } else { Ok(()) }
     }
 
     fn answer(&mut self, pair: usize, above: bool) {

@@ -5,8 +5,10 @@ use std::ops::ControlFlow;
 use origami_core::Solver;
 use origami_core::contact::Crossings;
 use origami_core::generate::catalog;
+use origami_core::glam::DVec3;
+use origami_core::measure::align;
 use origami_core::scene::{Scene, Targets};
-use origami_core::solve::{ContactRelax, Relax, State, Stop};
+use origami_core::solve::{ContactRelax, Relax, State, Stop, Touching, unwatched};
 
 use crate::{model, off, watched};
 
@@ -66,13 +68,13 @@ fn random_folds_do_not_cross() {
 }
 
 #[test]
-#[ignore = "a thousand runs take minutes"]
+#[ignore = "seconds: a thousand runs"]
 fn a_thousand_random_folds_do_not_cross() {
     assert!(fuzz(1000) > 200);
 }
 
 #[test]
-#[ignore = "minutes: all patterns, percentages and perturbations"]
+#[ignore = "seconds: all patterns, percentages and perturbations"]
 fn nothing_crosses_in_any_pattern() {
     for name in catalog::names() {
         let model = model(name);
@@ -85,6 +87,25 @@ fn nothing_crosses_in_any_pattern() {
                 assert!(matches!(folded.stop, Stop::Converged | Stop::Blocked | Stop::StepLimit), "{name}: {touch:?}");
             }
         }
+    }
+}
+
+/// The same method on the same sheet, but for what contact adds, which is nothing.
+#[test]
+fn where_nothing_touches_nothing_is_changed() {
+    for (name, percent) in [("miura", 60.0), ("degree-4", 70.0), ("hypar", 100.0)] {
+        let model = model(name);
+        let scene = Scene::percent(percent);
+        let relax = Relax { softening: None, near: 0.0, steps: Some(4000), ..Relax::default() };
+        let free = relax.fold(&model, &State::at_rest(&model), &scene, &mut |_| ControlFlow::Continue(()));
+        let free = free.expect("it folds").state.positions;
+        let solver = ContactRelax { relax, ..ContactRelax::default() };
+        let held = solver.fold_touching(&model, &State::at_rest(&model), &scene, &mut unwatched);
+        let (held, touch) = held.expect("it folds");
+        assert_eq!((touch.limited, touch.least_gap), (0, f64::INFINITY), "{name}");
+        let apart = |from: &[DVec3]| align(&held.state.positions, from).max;
+        assert!(apart(&model.rest) > 0.1, "{name} moves");
+        assert!(apart(&free) < 1e-12, "{name}: {:e}", apart(&free));
     }
 }
 

@@ -62,7 +62,7 @@ fn a_sheet_that_bounces_keeps_its_energy() {
 }
 
 #[test]
-#[ignore = "some seconds: ten thousand steps each"]
+#[ignore = "seconds: ten thousand steps each"]
 fn ten_thousand_steps_in_contact_keep_energy() {
     let sheets =
         [("strip", 50.0), ("strip", 500.0), ("bird-base", 500.0), ("square-twist", 50.0), ("square-twist", 500.0)];

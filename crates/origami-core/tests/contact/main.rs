@@ -4,6 +4,8 @@
 mod catalog;
 mod dynamics;
 mod held_up;
+mod layers;
+mod narrowed;
 #[cfg(feature = "newton")]
 mod newton;
 mod orders;

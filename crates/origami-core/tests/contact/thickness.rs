@@ -87,7 +87,7 @@ fn an_accordion_is_as_high_as_its_panels_however_they_are_cut() {
 }
 
 #[test]
-#[ignore = "a minute: every number of panels"]
+#[ignore = "seconds: every number of panels"]
 fn accordions_of_all_sizes_are_as_high_as_their_panels() {
     for panels in 4..=16 {
         for thickness in [0.001, 0.002, 0.004] {

@@ -6,6 +6,7 @@ use origami_core::{Dynamics, Material, Model, Relax};
 use super::cases::{Case, LARGE};
 use super::reference::{self, Branch, Equilibrium, Error};
 use super::trail::{self, From, On, Trail};
+use crate::crossings::crossings;
 use crate::gpu_choice::GpuChoice;
 use crate::options::Deadline;
 
@@ -44,6 +45,8 @@ pub(super) struct Run {
     pub(super) branch: Branch,
     /// The energy of the state in which the run ended.
     pub(super) energy: Option<f64>,
+    /// How often its paper goes through itself; none of a very large sheet.
+    pub(super) crossings: Option<usize>,
     /// The tolerance that it claims to have met, where it claims so.
     pub(super) claim: Option<f64>,
 }
@@ -123,6 +126,7 @@ pub(super) fn run(case: &Case, method: &Method, on: On<'_>, reference: &Equilibr
         },
         errors: trail.looks.iter().map(|look| reference::error(&look.positions, against)).collect(),
         energy: state.map(|state| state.energy(&case.model).total()),
+        crossings: state.and_then(|state| crossings(&case.model, &state.positions)),
         branch,
         claim,
         trail,

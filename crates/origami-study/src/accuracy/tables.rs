@@ -78,6 +78,11 @@ const RUNS: &[Column] = &[
         meaning: "whether it is the reference; errors are from the run's own",
     },
     Column { key: "energy", head: "energy", meaning: "at the end" },
+    Column {
+        key: "crossings",
+        head: "crossings",
+        meaning: "edges that go through triangles at the end, by the exact test",
+    },
     Column { key: "kept", head: "claim kept", meaning: "whether the error is within the tolerance, where converged" },
     Column { key: "failed", head: "failed", meaning: "why it ended early" },
 ];
@@ -98,6 +103,7 @@ pub(super) fn runs<'a>(runs: impl Iterator<Item = &'a Run>) -> Table {
             run.error().map(|error| error.rms).into(),
             run.branch.name().into(),
             run.energy.into(),
+            run.crossings.into(),
             run.keeps_claim().into(),
             run.trail.failed.clone().into(),
         ]);

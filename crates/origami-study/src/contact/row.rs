@@ -2,15 +2,12 @@
 
 use std::time::Instant;
 
-use origami_core::contact::Crossings;
-use origami_core::measure::{Strain, angle_error};
-use origami_core::solve::{ContactRelax, Touch, Touching, unwatched};
-use origami_core::{Folded, Model, Relax, Scene, Solver, State};
+use origami_core::contact::{Contact, Crossings};
+use origami_core::measure::angle_error;
+use origami_core::solve::{Failed, Touching, unwatched};
+use origami_core::{Model, Relax, Scene, Solver, State};
 
-/// Under contact a run ends after so many evaluations.
-const MOST_STEPS: u64 = 20_000;
-/// Evaluations between two looks of the exact test.
-const LOOK: u64 = 10;
+use super::watched::{Watched, relax, solver, watched};
 
 /// What came of it.
 pub(super) struct Row {
@@ -18,78 +15,84 @@ pub(super) struct Row {
     pub(super) vertices: usize,
     pub(super) triangles: usize,
     pub(super) percent: f64,
-    pub(super) free: Result<Way, String>,
-    pub(super) contact: Result<(Way, Held), String>,
+    /// How far each node was moved at the start, as a share of its shortest beam.
+    pub(super) perturbation: f64,
+    pub(super) free: Result<Free, Failed>,
+    pub(super) contact: Result<Held, Failed>,
 }
 
-/// A run.
-pub(super) struct Way {
+/// Without contact.
+pub(super) struct Free {
     pub(super) evaluations: u64,
     /// Microseconds of one evaluation, on one thread.
     pub(super) micros: f64,
-    /// At its end, and of contact on the way too.
+    /// At the end.
     pub(super) crossings: usize,
-    /// The depth of the deepest at its end, in radii.
+    /// The depth of the deepest of them, in radii.
     pub(super) deepest: f64,
     /// The largest difference of an angle from its target, in degrees.
     pub(super) off: f64,
-    /// Largest, of a beam.
-    pub(super) strain: f64,
 }
 
-/// What contact did.
+/// With contact.
 pub(super) struct Held {
-    pub(super) stop: &'static str,
-    pub(super) touch: Touch,
+    pub(super) came: Watched,
+    pub(super) micros: f64,
 }
 
-pub(super) fn run(name: &str, model: &Model, percent: f64) -> Row {
+impl Row {
+    /// Both, where both came to an end.
+    pub(super) fn both(&self) -> Option<(&Free, &Held)> {
+        Some((self.free.as_ref().ok()?, self.contact.as_ref().ok()?))
+    }
+
+    /// How many times as many evaluations contact takes.
+    pub(super) fn times(&self) -> Option<f64> {
+        self.both().map(|(free, held)| held.came.evaluations as f64 / free.evaluations as f64)
+    }
+
+    /// How many times as long an evaluation takes.
+    pub(super) fn cost(&self) -> Option<f64> {
+        self.both().map(|(free, held)| held.micros / free.micros)
+    }
+
+    /// Whether layers press at the end.
+    pub(super) fn touches(&self) -> bool {
+        self.contact.as_ref().is_ok_and(|held| held.came.touch.least_gap.is_finite())
+    }
+}
+
+pub(super) fn run(name: &str, model: &Model, percent: f64, perturbation: f64) -> Row {
     let (start, scene) = (State::at_rest(model), Scene::percent(percent));
-    let relax = Relax { threads: std::num::NonZeroUsize::new(1), ..Relax::default() };
-    let began = Instant::now();
-    let free = relax.fold(model, &start, &scene, &mut unwatched);
-    let seconds = began.elapsed().as_secs_f64();
-    let free = free.map(|folded| way(model, &folded, seconds, 0)).map_err(|failed| failed.to_string());
-
-    let relax = Relax { max_steps: MOST_STEPS, ..relax };
-    let solver = ContactRelax { relax, ..ContactRelax::default() };
-    let began = Instant::now();
-    let timed = solver.fold_touching(model, &start, &scene, &mut unwatched);
-    let seconds = began.elapsed().as_secs_f64();
-    // Once more, looked at: looking takes longer than folding.
-    let mut crossed = 0;
-    let mut look = |evaluation: u64, positions: &[origami_core::glam::DVec3]| {
-        if evaluation.is_multiple_of(LOOK) {
-            crossed += Crossings::of(&model.mesh, positions).all.len();
+    let freely = Relax { perturbation, ..relax() };
+    let (free, seconds) = timed(|| freely.fold(model, &start, &scene, &mut unwatched));
+    let free = free.map(|folded| {
+        let crossings = Crossings::of(&model.mesh, &folded.state.positions);
+        Free {
+            evaluations: folded.steps,
+            micros: micros(seconds, folded.steps),
+            crossings: crossings.all.len(),
+            deepest: crossings.deepest(),
+            off: angle_error(&folded.state).max,
         }
-    };
-    let looked = solver.fold_looking(model, &start, &scene, &mut look);
-    let contact = timed.and(looked).map_err(|failed| failed.to_string()).map(|(folded, touch)| {
-        let stop = match folded.stop {
-            origami_core::solve::Stop::Converged => "converged",
-            origami_core::solve::Stop::Blocked => "blocked",
-            _ => "step limit",
-        };
-        (way(model, &folded, seconds, crossed), Held { stop, touch })
     });
-    Row {
-        name: name.to_owned(),
-        vertices: model.node_count(),
-        triangles: model.mesh.triangles.len(),
-        percent,
-        free,
-        contact,
-    }
+    // Twice: looking takes longer than folding.
+    let solver = solver(perturbation, Contact::default());
+    let (unseen, seconds) = timed(|| solver.fold_touching(model, &start, &scene, &mut unwatched));
+    let contact = unseen.and_then(|(unseen, _)| {
+        let came = watched(model, &solver, &[scene])?;
+        Ok(Held { came, micros: micros(seconds, unseen.steps) })
+    });
+    let (vertices, triangles) = (model.node_count(), model.mesh.triangles.len());
+    Row { name: name.to_owned(), vertices, triangles, percent, perturbation, free, contact }
 }
 
-fn way(model: &Model, folded: &Folded, seconds: f64, on_the_way: usize) -> Way {
-    let crossings = Crossings::of(&model.mesh, &folded.state.positions);
-    Way {
-        evaluations: folded.steps,
-        micros: 1e6 * seconds / folded.steps.max(1) as f64,
-        crossings: on_the_way + crossings.all.len(),
-        deepest: crossings.deepest(),
-        off: angle_error(&folded.state).max,
-        strain: Strain::of(model, &folded.state.positions).beams.max,
-    }
+fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
+    let began = Instant::now();
+    let came = run();
+    (came, began.elapsed().as_secs_f64())
+}
+
+fn micros(seconds: f64, evaluations: u64) -> f64 {
+    1e6 * seconds / evaluations.max(1) as f64
 }

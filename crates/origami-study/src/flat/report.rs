@@ -27,7 +27,18 @@ pub(super) fn study(rows: &[Row]) -> Study {
         vec!["pattern", "vertices", "closed_energy", "energy_ratio", "closed_evaluations", "opened_evaluations"];
     parts.push(Part::Table { file: "flat-60".into(), table: two_ways(rows), shown });
     parts.push(Part::Heading("All patterns".into()));
-    let shown = vec!["pattern", "vertices", "on", "arrived", "distance", "wrong", "attempts", "evaluations", "seconds"];
+    let shown = vec![
+        "pattern",
+        "vertices",
+        "on",
+        "arrived",
+        "distance",
+        "crossings",
+        "wrong",
+        "attempts",
+        "evaluations",
+        "seconds",
+    ];
     parts.push(Part::Table { file: "flat-patterns".into(), table: patterns(rows), shown });
     Study { name: "flat", title: "Flat folding: to the exact state by motion alone".into(), parts }
 }
@@ -122,6 +133,11 @@ const COLUMNS: &[Column] = &[
     column("converged", "converged", "whether the solver says that it is in an equilibrium"),
     column("distance", "distance (radii)", "largest distance of a vertex from the exact state"),
     column("strain", "strain", "largest of a beam"),
+    column(
+        "crossings",
+        "crossings",
+        "edges that go through triangles at the end: layers lie in one plane but for the tolerance",
+    ),
     column("energy", "energy", "in the model's unit"),
     column("wrong", "wrong way", "creases more than half a turn from their targets"),
     column("attempts", "attempts", "ways that were tried"),
@@ -156,6 +172,7 @@ fn cells(end: &End, seconds: f64) -> Vec<Cell> {
         end.converged.into(),
         end.distance.into(),
         end.strain.into(),
+        end.crossings.into(),
         end.energy.into(),
         end.wrong.into(),
         u64::from(end.attempts).into(),

@@ -9,6 +9,7 @@ use origami_core::{Folded, Model, Relax, Scene, Solver, State};
 
 use super::cases::Case;
 use crate::GpuChoice;
+use crate::crossings::crossings;
 use crate::gpu_choice::OnEither;
 
 /// How far from the flat-folded state a sheet may end, in radii, beside the file's own misfit.
@@ -59,6 +60,8 @@ pub(super) struct End {
     pub(super) arrived: bool,
     /// Largest, of a beam.
     pub(super) strain: f64,
+    /// How often its paper goes through itself; none of a very large sheet.
+    pub(super) crossings: Option<usize>,
     pub(super) energy: f64,
     /// Creases more than half a turn from their targets: they closed the wrong way.
     pub(super) wrong: usize,
@@ -126,6 +129,7 @@ fn way(model: &Model, solver: &dyn Solver, on: &str, start: &State, percent: f64
             distance: exact.map(|exact| distance(exact, state)),
             arrived: exact.is_some_and(|exact| has_arrived(exact, state)),
             strain: Strain::of(model, &state.positions).beams.max,
+            crossings: crossings(model, &state.positions),
             energy: state.energy(model).total(),
             wrong: off.count(),
             attempts: folded.attempts,

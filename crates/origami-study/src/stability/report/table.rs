@@ -3,6 +3,7 @@
 use origami_core::Folded;
 use origami_core::solve::Stop;
 
+use crate::crossings::crossings;
 use crate::stability::found::{Found, Limit, Relaxed};
 use crate::stability::row::{CaseResult, Row};
 use crate::table::{Cell, Column, Table, column};
@@ -34,6 +35,7 @@ const COLUMNS: &[Column] = &[
     column("distance", "distance", "largest distance of a vertex from Newton's equilibrium, in radii"),
     column("saddles", "saddles", "saddles that Newton's method left on its way there"),
     column("claim", "claim true", "whether `converged` was true: the distance is at most the tolerance"),
+    column("crossings", "crossings", "edges that go through triangles where the relaxation ended, by the exact test"),
     column("gpu_safe", "f32: safe step", "whether it holds on the GPU (Euler), or how it fails"),
     column(
         "gpu_after_steps",
@@ -45,8 +47,20 @@ const COLUMNS: &[Column] = &[
 ];
 
 /// Columns that the document shows.
-pub(super) const SHOWN: &[&str] =
-    &["family", "pattern", "parameter", "value", "path", "paper", "safe", "ratio", "relax", "evaluations", "distance"];
+pub(super) const SHOWN: &[&str] = &[
+    "family",
+    "pattern",
+    "parameter",
+    "value",
+    "path",
+    "paper",
+    "safe",
+    "ratio",
+    "relax",
+    "evaluations",
+    "distance",
+    "crossings",
+];
 
 /// A table of all rows, with all that was found.
 pub(super) fn table(rows: &[Row]) -> Table {
@@ -110,6 +124,7 @@ fn add(found: &Found, cells: &mut Vec<Cell>) {
     cells.push(distance.into());
     cells.push(saddles.map(u64::from).into());
     cells.push(found.relaxed.claim_is_true().into());
+    cells.push(folded.and_then(|folded| crossings(&found.model, &folded.state.positions)).into());
 }
 
 /// How a relaxation ended, for people.

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::Contact;
 use super::groups::Groups;
-use super::lanes::{Arms, Given, Measured, Push, WIDTH, measure_edges, measure_points, push};
+use super::lanes::{Arms, Given, Measured, Push, WIDTH, measure_edges, measure_ends, measure_points, push};
 use super::pairs::Pair;
 use super::soon::{Brief, Kind, Soon};
 use super::stars::Star;
@@ -110,6 +110,9 @@ impl Task {
         }
         if edges {
             measure_edges(given, measured);
+            if (0..count).any(|i| measured.is_parallel(i)) {
+                measure_ends(given, measured);
+            }
         } else {
             measure_points(given, measured);
         }
@@ -118,10 +121,8 @@ impl Task {
             push(edges, all.contact.stiffness, given, measured, pushes);
         }
         for i in 0..count {
-            let mut gap = self.measured.gap[i];
-            if edges && self.measured.is_parallel(i) {
-                gap = self.plainly(&pairs[own[i]], all);
-            } else if gap < self.given.width[i] {
+            let gap = self.measured.gap[i];
+            if gap < self.given.width[i] {
                 self.pushing += 1;
                 self.add(edges, i, &nodes[i]);
                 let single = edges && self.push.factor[i] < 1.0 || pairs[own[i]].width != 0;
@@ -154,23 +155,6 @@ impl Task {
                 *own = [own[0] + by[0], own[1] + by[1], own[2] + by[2], own[3]];
             }
         }
-    }
-
-    /// The same of edges that are nearly parallel; the result is their gap.
-    #[cold]
-    fn plainly(&mut self, brief: &Brief, all: &All<'_>) -> f64 {
-        let [width, closed] = all.widths[brief.width as usize];
-        let pair = &Pair { nodes: brief.nodes, split: 2, closed, width, eased: brief.eased };
-        let near = pair.near(brief.number, all.positions);
-        if near.gap < pair.width {
-            self.pushing += 1;
-            let pushes = pair.push(&near, all.positions, all.contact.stiffness);
-            for (node, (force, sum)) in pair.nodes.iter().zip(pushes) {
-                let own = &mut self.felt[node.index()];
-                *own = [own[0] + force.x, own[1] + force.y, own[2] + force.z, own[3] + sum];
-            }
-        }
-        near.gap
     }
 }
 

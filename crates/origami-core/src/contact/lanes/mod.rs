@@ -11,7 +11,7 @@ mod star;
 mod tests;
 
 pub(super) use barrier::{Push, push};
-pub(super) use edges::measure_edges;
+pub(super) use edges::{measure_edges, measure_ends};
 pub(super) use point_triangle::measure_points;
 pub(super) use star::{Arms, not_below_zero};
 
@@ -77,7 +77,7 @@ impl Measured {
         Self { weights: [[0.0; WIDTH]; 4], normal: [[0.0; WIDTH]; 3], gap: [0.0; WIDTH], sine: [1.0; WIDTH] }
     }
 
-    /// Whether the edges of pair `i` are so nearly parallel that the plain function has to measure them.
+    /// Whether the edges of pair `i` are so nearly parallel that their ends have to be looked at.
     #[inline(always)]
     pub(super) fn is_parallel(&self, i: usize) -> bool {
         self.sine[i] <= PARALLEL

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Given, Measured, Push, WIDTH, measure_edges, measure_points, push};
+use super::{Given, Measured, Push, WIDTH, measure_edges, measure_ends, measure_points, push};
 use crate::contact::distance::{Nearest, of_edges, of_point_and_triangle};
 use crate::contact::pairs::{Near, Pair};
 use crate::ids::NodeId;
@@ -92,6 +92,32 @@ fn edges_are_as_far_apart_as_plainly_in_every_region() {
         }
     }
     assert!(regions.iter().filter(|count| **count > 10).count() >= 9, "{regions:?}");
+}
+
+#[test]
+fn edges_that_are_nearly_parallel_are_as_far_apart_as_plainly() {
+    let (mut from, mut measured, mut ends, mut others) = (noise(13), Measured::new(), 0, 0);
+    for round in 0..40 {
+        let sine = if round == 39 { 0.0 } else { 10.0_f64.powf(-2.0 - f64::from(round) / 3.0) };
+        let all: Vec<[DVec3; 4]> = (0..WIDTH).map(|_| nearly_parallel(&mut from, sine)).collect();
+        measure_edges(&given(&all), &mut measured);
+        let before = measured.clone();
+        measure_ends(&given(&all), &mut measured);
+        for (i, points) in all.iter().enumerate() {
+            if !measured.is_parallel(i) {
+                assert_eq!(measured.gap[i].to_bits(), before.gap[i].to_bits(), "others stay as they are");
+                others += 1;
+                continue;
+            }
+            let distance = of_edges(points).apart.length();
+            assert!((measured.gap[i] - distance).abs() < 1e-13, "{points:?}: {}, not {distance}", measured.gap[i]);
+            let weights = measured.weights.map(|row| row[i]);
+            let apart: DVec3 = points.iter().zip(weights).map(|(p, w)| *p * w).sum();
+            assert!((apart.length() - distance).abs() < 1e-13, "{points:?}: {weights:?}");
+            ends += usize::from(weights.contains(&0.0));
+        }
+    }
+    assert!(ends > 500 && others > 100, "{ends} {others}");
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod attitude;
 mod contact;
 mod crossings;
 mod measured;
+mod motion;
 mod note;
 mod scene;
 mod sweep;
@@ -14,6 +15,7 @@ pub(crate) use attitude::attitude;
 pub(crate) use contact::ContactFacts;
 pub(crate) use crossings::CrossingFacts;
 pub(crate) use measured::{Ending, Measured};
+pub(crate) use motion::MotionFacts;
 pub(crate) use note::Note;
 pub(crate) use scene::{PaperFacts, SceneFacts};
 pub(crate) use sweep::{Asked, Head, Row, Table, Tail, Varied, csv_line, csv_names, json_begin, json_end, json_row};
@@ -72,6 +74,9 @@ pub(crate) struct Run {
     /// Of every state on the way, with `--frames`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) frames: Option<Vec<Measured>>,
+    /// With `--backwards`, of the motion that was found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) backwards: Option<MotionFacts>,
     /// Where the state left all bounds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) diverged: Option<Divergence>,

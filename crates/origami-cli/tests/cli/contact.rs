@@ -126,6 +126,58 @@ fn a_letter_is_blocked_at_once_and_closes_in_order() {
     place.run("fold letter.fold --contact --precision mixed -o d.fold").fails(1, "--precision mixed");
 }
 
+#[test]
+fn a_motion_is_found_backwards_and_ends_exactly_flat() {
+    let place = Place::new();
+    place.run("pattern bird-base -o bird.fold").succeeds();
+    let line =
+        place.run("fold bird.fold --backwards --frames 2 --check -o film.fold --report r.json").succeeds().to_owned();
+    assert!(line.contains(", no crossing") && !line.contains("other way round"), "{line}");
+    let (film, report) = (place.json("film.fold"), place.json("r.json"));
+    let frames = film["file_frames"].as_array().unwrap();
+    let told = report["frames"].as_array().unwrap();
+    assert!(frames.len() > 4 && frames.len() == told.len(), "{} frames, {} told", frames.len(), told.len());
+    assert!(told.iter().all(|frame| frame["crossings"]["count"] == json!(0)));
+    // All vertices of the last frame lie in one plane, and each crease is folded by half a turn.
+    let last = &frames[frames.len() - 1];
+    let coords: Vec<[f64; 3]> = serde_json::from_value(last["vertices_coords"].clone()).unwrap();
+    let minus = |p: [f64; 3]| [0, 1, 2].map(|k| p[k] - coords[0][k]);
+    let cross = |[a, b, c]: [f64; 3], [d, e, f]: [f64; 3]| [b * f - c * e, c * d - a * f, a * e - b * d];
+    let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    let crosses = coords.iter().flat_map(|p| coords.iter().map(|q| cross(minus(*p), minus(*q))));
+    let normal = crosses.max_by(|n, m| dot(*n, *n).total_cmp(&dot(*m, *m))).unwrap();
+    let off = |p: &[f64; 3]| dot(minus(*p), normal).abs() / dot(normal, normal).sqrt();
+    assert!(dot(normal, normal) > 0.01 && coords.iter().all(|p| off(p) < 1e-9), "{coords:?}");
+    let angles: Vec<Option<f64>> = serde_json::from_value(last["edges_foldAngle"].clone()).unwrap();
+    let creases: Vec<f64> = angles.into_iter().flatten().filter(|angle| angle.abs() > 1.0).collect();
+    assert!(creases.len() > 8 && creases.iter().all(|angle| (angle.abs() - 180.0).abs() < 1e-6), "{creases:?}");
+    let orders = last["faceOrders"].as_array().unwrap();
+    let backwards = &report["backwards"];
+    assert_eq!((&backwards["pairs"], &backwards["free"]), (&json!(orders.len()), &json!([])));
+    assert!(orders.len() > 10 && orders.iter().all(|order| order[2] != json!(0)), "{orders:?}");
+    assert!(backwards["off_deg"].as_f64().unwrap() < 1.0, "{backwards}");
+    assert!(backwards["touching"].as_u64().unwrap() < frames.len() as u64, "{backwards}");
+}
+
+#[test]
+fn what_has_no_flat_state_is_not_folded_backwards() {
+    let place = Place::new();
+    place.run("pattern hypar -o hypar.fold").succeeds();
+    place.run("fold hypar.fold --backwards -o a.fold").fails(1, "hypar.fold: --backwards: ");
+    // Four valleys at one vertex fold flat by the angles, and no order of layers lets them.
+    place.put(
+        "valleys.fold",
+        r#"{"file_spec": 1.2, "vertices_coords": [[0,0],[1,0],[1,1],[0,1],[-1,1],[-1,0],[-1,-1],[0,-1],[1,-1]],
+        "edges_vertices": [[1,2],[2,3],[3,4],[4,5],[5,6],[6,7],[7,8],[8,1],[0,1],[0,3],[0,5],[0,7]],
+        "edges_assignment": ["B","B","B","B","B","B","B","B","V","V","V","V"],
+        "faces_vertices": [[0,1,2,3],[0,3,4,5],[0,5,6,7],[0,7,8,1]]}"#,
+    );
+    let ran = place.run("fold valleys.fold --backwards -o a.fold");
+    ran.fails(1, "valleys.fold: --backwards: no order of the layers lets the sheet lie flat");
+    assert!(!place.has("a.fold"));
+    place.run("fold valleys.fold --backwards --solver newton -o a.fold").fails(1, "--backwards");
+}
+
 #[cfg(feature = "newton")]
 #[test]
 fn newton_goes_under_contact_too() {

@@ -118,7 +118,7 @@ fn attempt(
         let over = end.is_some_and(|end| Instant::now() >= end);
         if over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let (mut steps, mut touches, mut orders) = (Vec::new(), Vec::new(), None);
+    let (mut steps, mut touches, mut orders, mut motion) = (Vec::new(), Vec::new(), None, None);
     let mut path = |percents: &[f64], before: usize| {
         let gone = match (&stages, &touching, &settings.method) {
             (Some(stages), _, Method::Relax(relax)) => {
@@ -141,7 +141,7 @@ fn attempt(
             }
         };
         if before == 0 {
-            (steps, touches, orders) = (gone.steps, gone.touches, gone.orders);
+            (steps, touches, orders, motion) = (gone.steps, gone.touches, gone.orders, gone.motion);
         }
         Ok(gone.states)
     };
@@ -165,6 +165,7 @@ fn attempt(
         attitude: report::attitude(&pattern, settings.hold),
         measured: Measured::default(),
         frames: None,
+        backwards: None,
         diverged: None,
         outputs: Vec::new(),
         seconds,
@@ -211,6 +212,7 @@ fn attempt(
     frames.iter_mut().zip(&touches).for_each(|(frame, touch)| frame.contact = Some(touch.clone()));
     run.measured = overall(&frames);
     run.frames = settings.animated.then_some(frames);
+    run.backwards = motion;
     for folded in states.iter_mut().chain(shown.iter_mut().flatten()) {
         folded.state = attitude::turned(&model, &folded.state, settings.hold)?;
     }

@@ -16,7 +16,7 @@ use origami::solve::{
 use origami::{CreasePattern, Error};
 
 use crate::args::SequenceSource;
-use crate::report::ContactFacts;
+use crate::report::{ContactFacts, MotionFacts};
 
 /// A sequence and the frame that its numbers are of.
 pub(super) struct Order {
@@ -120,6 +120,8 @@ pub(super) struct Gone {
     pub(super) touches: Vec<ContactFacts>,
     /// Which face lies on which in the last, where that is known and its positions do not tell it.
     pub(super) orders: Option<Vec<FaceOrder>>,
+    /// Of a motion that was found backwards.
+    pub(super) motion: Option<MotionFacts>,
 }
 
 /// Goes through `stages`, under contact or without.
@@ -150,7 +152,8 @@ pub(super) fn backwards(
     observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Gone, Ended> {
     let motion = Backwards { relax: relax.clone(), contact }.fold(model, stages, observe)?;
-    Ok(Gone { states: motion.states, orders: Some(motion.stacking.faces), ..Gone::default() })
+    let facts = MotionFacts::from(&motion);
+    Ok(Gone { states: motion.states, orders: Some(motion.stacking.faces), motion: Some(facts), ..Gone::default() })
 }
 
 /// Folds to each percentage in turn under contact, by what `solver` makes, which is told whether the sheet goes on, off every

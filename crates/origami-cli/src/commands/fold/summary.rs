@@ -69,6 +69,9 @@ pub(super) fn line(run: &Run) -> String {
     if let Some(crossings) = &measured.crossings {
         line += &format!(", {crossings}");
     }
+    if let Some(free) = run.backwards.as_ref().map(|motion| motion.free.len()).filter(|free| *free > 0) {
+        line += &format!(", {} may lie the other way round", count(free, "pair of faces", "pairs of faces"));
+    }
     if measured.attempts > 1 {
         line += &format!(", the best of {} attempts", measured.attempts);
     }

@@ -7,9 +7,12 @@
 //! keeps it so on the way to the open sheet.
 
 mod attempts;
+mod beside;
+mod flat;
 mod not_backwards;
 mod order_force;
 mod relations;
+mod way;
 
 use std::ops::ControlFlow;
 
@@ -20,9 +23,13 @@ use crate::model::Model;
 use attempts::{ATTEMPTS, Run};
 pub use not_backwards::NotBackwards;
 use not_backwards::{is_crossed, nearer};
+use way::{NEARLY, Way};
 
 /// By how much a sheet may miss itself in the flat-folded state, in radii.
 const CLOSED: f64 = 1e-3;
+/// Of so many motions that are found the one is taken that comes nearest to the flat-folded state.
+const ENOUGH: usize = 3;
+
 /// Finds a motion that folds a sheet flat without paper going through paper, by opening it from its flat-folded state.
 ///
 /// For patterns that [`Reflect`] folds. There may be many orders of layers; one is taken. Research: it embeds many patterns of
@@ -59,7 +66,7 @@ pub struct Motion {
     pub touching: usize,
     /// Which layer lies on which in the last.
     pub stacking: Stacking,
-    /// How far apart layers are wanted in the last state but one, in radii.
+    /// How far apart layers are kept in the last state but one, in radii.
     pub gap: f64,
     /// The farthest that a crease is from flat there, in radians.
     pub off: f64,
@@ -83,20 +90,26 @@ impl Backwards {
         let stacking =
             Stacking::of(model, &flat.state.positions, &flat.state.fold_angles).map_err(NotBackwards::Order)?;
         let mut run = Run::new(self, model, flat, &stacking);
-        let mut failed: Option<NotBackwards> = None;
+        let (mut failed, mut best, mut found): (Option<NotBackwards>, Option<Way>, usize) = (None, None, 0);
         for attempt in ATTEMPTS {
-            let tried = run.embed(attempt, observe).and_then(|held| {
-                let opened = run.open(&held, stages, observe)?;
-                Ok((held, opened))
-            });
-            match tried {
-                Ok((held, opened)) => return run.into_motion(held, opened, stacking, observe),
+            match run.embed(attempt, observe).and_then(|held| run.way(held, stages, observe)) {
+                Ok(way) => {
+                    let way = run.thinner(way, stages, observe);
+                    best = best.filter(|best| best.off <= way.off).or(Some(way));
+                    found += 1;
+                }
                 Err(NotBackwards::Failed(Failed::Refused { refusal, start })) if !is_crossed(&refusal) => {
                     return Err(Failed::Refused { refusal, start }.into());
                 }
                 Err(why) => failed = Some(nearer(failed, why)),
             }
+            if found == ENOUGH || best.as_ref().is_some_and(|best| best.off < NEARLY) {
+                break;
+            }
         }
-        Err(failed.unwrap_or(NotBackwards::Closed { off: f64::NAN }))
+        match best {
+            Some(way) => Ok(run.into_motion(way, stacking)),
+            None => Err(failed.unwrap_or(NotBackwards::Closed { off: f64::NAN })),
+        }
     }
 }

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::relations::{Beside, Relation};
+use super::beside::Beside;
+use super::relations::Relation;
 use crate::ids::NodeId;
 use crate::model::Built;
 use crate::scene::Force;
@@ -141,7 +142,7 @@ impl Force for OrderForce {
 mod tests {
     use glam::DVec3;
 
-    use super::super::relations::Flat;
+    use super::super::flat::Flat;
     use super::*;
     use crate::generate::catalog;
     use crate::layers::Stacking;

@@ -7,10 +7,10 @@ use origami::gpu::{Dispatch, Gpu, GpuMethod};
 use origami::scene::Scene;
 use origami::solve::unwatched;
 use origami::solve::{Failed, Instance, Integrator, TimeStep};
-use origami::{Dynamics, Material, Model, Relax};
+use origami::{Dynamics, Material, Model, Relax, Solver};
 
 use crate::common::gpu::gpu;
-use crate::sheets::{EQUILIBRIUM, HELD, TRAJECTORY, WAYS, apart, built, folded, miura, relax, sheet, start};
+use crate::sheets::{EQUILIBRIUM, HELD, TRAJECTORY, WAYS, apart, folded, relax, sheet, start};
 
 fn instances(models: &[Model]) -> Vec<Instance<'_>> {
     let percents = [20.0, 55.0, 80.0].into_iter().cycle();

@@ -10,7 +10,7 @@ use origami::solve::unwatched;
 use origami::{Dynamics, Relax, Solver, State};
 
 use crate::common::gpu::gpu;
-use crate::sheets::{ENERGY, EQUILIBRIUM, WAYS, apart, folded, miura, relax, sheet, sheets, start};
+use crate::sheets::{ENERGY, EQUILIBRIUM, WAYS, apart, folded, relax, sheet, sheets, start};
 
 #[test]
 fn equilibria_are_those_of_the_processor() {

@@ -8,7 +8,7 @@ use origami::solve::{Failed, Integrator, TimeStep};
 use origami::{Dynamics, Model, Solver};
 
 use crate::common::gpu::gpu;
-use crate::sheets::{WAYS, apart, folded, miura, relax, sheet, start};
+use crate::sheets::{WAYS, apart, relax, sheet, start};
 
 #[test]
 fn progress_is_told_in_order() {

@@ -10,7 +10,7 @@ use origami::solve::unwatched;
 use origami::solve::{Integrator, TimeStep};
 use origami::{CreasePattern, Dynamics, Folded, Material, Model, Relax, Solver, State};
 
-use crate::common::largest_distance;
+use crate::common::{self, largest_distance};
 
 /// How far trajectories of 300 steps may be apart, in radii. Forces come in single precision, 1e-7 of their size each, and
 /// positions are kept to 1e-11: 1e-7 of a motion of 1 with damping, some 1e-6 without, where nothing forgets an error.

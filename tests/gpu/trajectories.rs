@@ -1,12 +1,12 @@
 //! Motion in time.
 
-use origami::Dynamics;
 use origami::gpu::Dispatch;
 use origami::solve::{Integrator, TimeStep};
+use origami::Dynamics;
 
 use crate::common::gpu::gpu;
 use crate::common::largest_distance;
-use crate::sheets::{HELD, STEPS, TRAJECTORY, VELOCITY, apart, folded, miura, sheet, sheets, ways};
+use crate::sheets::{HELD, STEPS, TRAJECTORY, VELOCITY, apart, folded, sheet, sheets, ways};
 
 #[test]
 fn trajectories_agree_with_the_processor() {

@@ -1,8 +1,8 @@
 //! Motion in time.
 
+use origami::Dynamics;
 use origami::gpu::Dispatch;
 use origami::solve::{Integrator, TimeStep};
-use origami::Dynamics;
 
 use crate::common::gpu::gpu;
 use crate::common::largest_distance;

@@ -192,15 +192,17 @@ fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
         ("--contact", args.contact.keeps_apart()),
     ];
     let Some((option, _)) = asked.iter().find(|(_, given)| *given) else { return Ok(false) };
-    let (able, expected): (&[SolverName], _) = match args.contact.sequence {
-        Some(_) => (&[SolverName::Relax], "relax"),
-        None => (&[SolverName::Relax, SolverName::Dynamics, SolverName::Newton], "relax, newton or dynamics"),
+    // These have a way of their own.
+    let by_itself = args.contact.backwards || args.contact.sequence.is_some();
+    let (able, expected): (&[SolverName], _) = match by_itself {
+        true => (&[SolverName::Relax], "relax"),
+        false => (&[SolverName::Relax, SolverName::Dynamics, SolverName::Newton], "relax, newton or dynamics"),
     };
     if !able.contains(&solving.solver) {
         return Err(format!("--solver {}: it has no {option}; expected {expected}", solving.solver.name()));
     }
-    if solving.backend == BackendName::Gpu && args.contact.sequence.is_some() {
-        return Err("--backend gpu: --sequence runs on the processor; expected auto or cpu".to_owned());
+    if solving.backend == BackendName::Gpu && by_itself {
+        return Err(format!("--backend gpu: {option} runs on the processor; expected auto or cpu"));
     }
     if solving.backend == BackendName::Gpu && solving.solver != SolverName::Relax {
         let solver = solving.solver.name();

@@ -175,7 +175,10 @@ fn what_has_no_flat_state_is_not_folded_backwards() {
     let ran = place.run("fold valleys.fold --backwards -o a.fold");
     ran.fails(1, "valleys.fold: --backwards: no order of the layers lets the sheet lie flat");
     assert!(!place.has("a.fold"));
-    place.run("fold valleys.fold --backwards --solver newton -o a.fold").fails(1, "--backwards");
+    place
+        .run("fold valleys.fold --backwards --solver newton -o a.fold")
+        .fails(1, "--solver newton: it has no --backwards");
+    place.run("fold valleys.fold --backwards --backend gpu -o a.fold").fails(1, "--backend gpu");
 }
 
 #[cfg(feature = "newton")]

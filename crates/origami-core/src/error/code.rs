@@ -268,7 +268,7 @@ mod tests {
              face-turned face-clockwise face-without-area thin-face missing-letters missing-angles tilted-plane \
              lower-case unknown-letter letter-on-contour boundary-inside boundary-cut closed-cut angle-on-boundary \
              null-angle angle-on-unassigned angle-on-flat angle-past-flat opposite-signs over-folding slivers \
-             single-precision strained-at-rest crease-off-target open-crease crushed-triangle squeezed-triangle fallback near-miss-joined border-joined \
+             touching-lips single-precision strained-at-rest crease-off-target open-crease crushed-triangle squeezed-triangle fallback near-miss-joined border-joined \
              border-closed paper-lost faces-repaired crease-in-hole near-miss radians unknown-key other-frame"
         );
     }

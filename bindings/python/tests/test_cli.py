@@ -32,8 +32,8 @@ def test_the_report_has_the_keys_of_its_document(folded):
     text = (Path(__file__).resolve().parents[3] / "docs" / "REPORT.md").read_text()
     table = text.split("All others have these:")[1].split("The keys from `percent`")[0]
     named = re.findall(r"^\| `(\w+)` \|", table, re.M)
-    # Only with `--frames`, after a divergence, in a sequence, with `--check` and with `--contact`.
-    elsewhere = ("frames", "diverged", "step", "crossings", "contact")
+    # Only with `--frames`, after a divergence, in a sequence, with `--check`, `--contact` and `--backwards`.
+    elsewhere = ("frames", "diverged", "step", "crossings", "contact", "backwards")
     assert {key for key in named if key not in elsewhere} == folded.report().keys()
 
 

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 
 use super::Contact;
-use super::pairs::Finder;
+use super::finder::Finder;
 use crate::ids::NodeId;
 use crate::mesh::Mesh;
 

@@ -3,8 +3,9 @@
 use glam::DVec3;
 
 use super::Contact;
+use super::finder::Finder;
 use super::layers::{FEW, LONGEST, Layers, MANY, MOST_SKINS, SKIN};
-use super::pairs::{Finder, Near, Pair};
+use super::pairs::{Near, Pair};
 use crate::ids::NodeId;
 use crate::mesh::Mesh;
 

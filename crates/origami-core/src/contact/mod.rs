@@ -12,6 +12,7 @@ mod boxes;
 mod crossings;
 mod distance;
 mod drift;
+mod finder;
 mod groups;
 #[cfg(feature = "newton")]
 pub(crate) mod hessian;

@@ -85,16 +85,7 @@ impl Task {
         from: Option<usize>,
     ) -> usize {
         let Self { given, measured, push: pushes, .. } = self;
-        let mut own = [0; WIDTH];
-        let (mut count, mut seen) = (0, 0);
-        for due in &*due {
-            own[count] = seen;
-            count += usize::from(*due < all.bound);
-            seen += 1;
-            if count == WIDTH {
-                break;
-            }
-        }
+        let (own, count, seen) = first_due(due, all.bound);
         if count == 0 {
             return seen;
         }
@@ -227,6 +218,23 @@ impl pulp::NullaryFnOnce for Work<'_, '_> {
         }
         task.lost = lost;
     }
+}
+
+/// The places of the first that are due before the bound, as many as lie side by side; how many these are, and how many were
+/// looked at.
+#[inline(always)]
+fn first_due(due: &[f64], bound: f64) -> ([usize; WIDTH], usize, usize) {
+    let mut own = [0; WIDTH];
+    let (mut count, mut seen) = (0, 0);
+    for due in due {
+        own[count] = seen;
+        count += usize::from(*due < bound);
+        seen += 1;
+        if count == WIDTH {
+            break;
+        }
+    }
+    (own, count, seen)
 }
 
 /// Measures the pairs that are due, in as many tasks as they are worth, and lets them push; by several threads or not. How

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::super::groups::{Group, Places};
 use super::super::lanes::{WIDTH, push};
 use super::super::soon::Brief;
-use super::{All, Task};
+use super::{All, Task, first_due};
 
 impl Task {
     /// The first groups that may push, as many as lie side by side; what they lose is kept. The result is how many were looked at.
@@ -16,16 +16,7 @@ impl Task {
         (groups, due, places): (&mut [Group], &mut [f64], &[Places]),
     ) -> usize {
         let Self { given, measured, push: pushes, lost, .. } = self;
-        let mut own = [0; WIDTH];
-        let (mut count, mut seen) = (0, 0);
-        for due in &*due {
-            own[count] = seen;
-            count += usize::from(*due < all.bound);
-            seen += 1;
-            if count == WIDTH {
-                break;
-            }
-        }
+        let (own, count, seen) = first_due(due, all.bound);
         if count == 0 {
             return seen;
         }

@@ -16,7 +16,6 @@ use crate::parallel;
 
 /// Pairs come no nearer than their gap begins at this share of their distance in the flat sheet: there nothing presses.
 const OF_REST: f64 = 0.9;
-
 /// Things that are nearer than this in the flat sheet, in radii, touch there, such as the two lips of a cut: nothing says on which
 /// side of each other they are.
 const TOUCHING: f64 = 1e-6;
@@ -105,18 +104,7 @@ impl Finder {
     pub(super) fn find(&self, positions: &[DVec3], reach: f64, pairs: &mut Vec<Pair>, gaps: &mut Vec<f64>) {
         pairs.clear();
         gaps.clear();
-        let triangles = boxes(&self.triangles, positions);
-        // Boxes that are so much larger meet where edges may be within reach.
-        let half = 0.5 * (reach + self.thickest);
-        let edges: Vec<Bounds> = boxes(&self.edges, positions).into_iter().map(|own| own.grown(half)).collect();
-        let at = At {
-            positions,
-            reach,
-            tree_of_triangles: self.tree_of_triangles.moved(&triangles),
-            tree_of_edges: self.tree_of_edges.moved(&edges),
-            triangles,
-            edges,
-        };
+        let at = self.at(positions, reach);
         let cut = |all: usize| (0..all).step_by(PART).map(move |from| from..all.min(from + PART));
         let points = cut(self.points.len()).map(|part| (1, part));
         let edges = cut(at.tree_of_edges.parts()).map(|part| (2, part));
@@ -144,6 +132,22 @@ impl Finder {
         }
     }
 
+    /// The boxes with the nodes at `positions`, for what is within `reach` of each other.
+    fn at<'a>(&self, positions: &'a [DVec3], reach: f64) -> At<'a> {
+        let triangles = boxes(&self.triangles, positions);
+        // Boxes that are so much larger meet where edges may be within reach.
+        let half = 0.5 * (reach + self.thickest);
+        let edges: Vec<Bounds> = boxes(&self.edges, positions).into_iter().map(|own| own.grown(half)).collect();
+        At {
+            positions,
+            reach,
+            tree_of_triangles: self.tree_of_triangles.moved(&triangles),
+            tree_of_edges: self.tree_of_edges.moved(&edges),
+            triangles,
+            edges,
+        }
+    }
+
     /// Finds the pairs of some points, or of edges in some parts of their tree.
     fn find_part(&self, at: &At<'_>, split: usize, part: Range<usize>, take: &mut impl FnMut(Pair, f64)) {
         self.look(at, split, part, &mut |Candidate { nodes, numbers }: Candidate, distance: f64| {
@@ -156,17 +160,7 @@ impl Finder {
 
     /// The pairs that touch in the flat sheet and so are none: the nodes of both things of each, and how many the first has.
     pub(super) fn touching(&self) -> Vec<([NodeId; 4], usize)> {
-        let half = 0.5 * (TOUCHING + self.thickest);
-        let triangles = boxes(&self.triangles, &self.rest);
-        let edges: Vec<Bounds> = boxes(&self.edges, &self.rest).into_iter().map(|own| own.grown(half)).collect();
-        let at = At {
-            positions: &self.rest,
-            reach: TOUCHING,
-            tree_of_triangles: self.tree_of_triangles.moved(&triangles),
-            tree_of_edges: self.tree_of_edges.moved(&edges),
-            triangles,
-            edges,
-        };
+        let at = self.at(&self.rest, TOUCHING);
         let mut all = Vec::new();
         for (split, parts) in [(1, 0..self.points.len()), (2, 0..at.tree_of_edges.parts())] {
             self.look(&at, split, parts, &mut |candidate, distance| {

@@ -13,9 +13,11 @@ use super::barrier::Barrier;
 use super::drift::nearer;
 use super::finder::Finder;
 use super::groups::Groups;
+use super::limit::Plane;
 use super::pairs::{Near, Pair, eased};
 use super::soon::Soon;
 use super::stars::Star;
+use super::stiff::Stiff;
 use super::task::{self, Felt, Here, Task};
 use crate::mesh::Mesh;
 use crate::parallel;
@@ -70,8 +72,11 @@ pub(crate) struct Layers {
     measured: Vec<Near>,
     gaps: Vec<f64>,
     lengths: Vec<f64>,
-    /// By node: the share of its move that it may make.
+    /// By node: the share of its move that it may make, and the one before.
     shares: Vec<f64>,
+    old_shares: Vec<f64>,
+    /// What divides the pairs that are in the way.
+    planes: Vec<Plane>,
 }
 
 impl Layers {
@@ -107,6 +112,8 @@ impl Layers {
             gaps: Vec::new(),
             lengths: Vec::new(),
             shares: Vec::new(),
+            old_shares: Vec::new(),
+            planes: Vec::new(),
         }
     }
 
@@ -147,13 +154,15 @@ impl Layers {
     }
 
     /// What each node feels of the pairs at these positions; empty where nothing pushes. It is what [`Layers::measure`] and
-    /// [`Layers::add`] find out, but for rounding, in less time; no pair is known for [`Layers::pushing`] then.
+    /// [`Layers::add`] find out, but for rounding, in less time, and but for the stiffness of those that are told by
+    /// [`Layers::stiff`]; no pair is known for [`Layers::pushing`] then.
     pub(crate) fn felt(&mut self, positions: &[DVec3]) -> &[Felt] {
         self.shorten_way(positions);
         let bound = self.look_for_near(positions, self.contact.gap);
         self.near.clear();
         let pushing = std::mem::take(&mut self.pushing);
         if !self.soon.is_due(bound) && !self.groups.is_due(bound) {
+            self.tasks.clear();
             return &[];
         }
         let (farthest, takes) = (self.reach(), pushing > positions.len());
@@ -184,6 +193,11 @@ impl Layers {
                 &self.felt
             }
         }
+    }
+
+    /// The stiff ones of the pairs that were felt last.
+    pub(crate) fn stiff(&self) -> impl Iterator<Item = Stiff> {
+        self.tasks.iter().flat_map(|task| &task.stiff).copied()
     }
 
     /// Sees to it that all pairs are listed whose gap may be below that, and that all are known for which it may be below the

@@ -1,11 +1,12 @@
 //! How far the nodes of a pair may move: planes in place of continuous collision detection (after the planar bounds of Divide
 //! and Truncate, 2026).
 //!
-//! Between the nearest points a and b of two convex things lies a slab that is free of both. It is divided between them by a
-//! plane, as they would use it, and no node goes beyond its side. Half-spaces are convex: a move of which every node makes any
-//! share up to its own stays within them, and the whole straight way is free. No time of impact is sought.
+//! Between the nearest points a and b of two convex things lies a slab that is free of both, and a plane divides it. One that
+//! stands still leaves each node its share of a move whatever others make of theirs: half-spaces are convex. One that moves along
+//! with what it divides leaves more, for what recedes makes room for what comes after it, and what turns together does not come
+//! nearer; but it counts on the shares that all four nodes make. No time of impact is sought.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::pairs::{Near, Pair};
 use crate::ids::NodeId;
@@ -21,70 +22,243 @@ pub(super) const FLOOR: f64 = 1e-3;
 /// How far off the two nearest points may be by rounding, in radii. A normal is off by that over their distance, and so what lies
 /// as far from them as a radius seems to have more or less room than it has.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// What rounding may add to what is used up.
+const SLACK: f64 = 1.0 + 1e-9;
+/// A plane turns by no more than this in one move, in radians.
+const MOST_TILT: f64 = 0.1;
+/// Places are on one line where the area that they span is less than this share of their extent squared.
+const FLAT: f64 = 1e-8;
 
-/// By node the share of its move that it may make; only ever made less.
-pub(super) struct Shares<'a>(pub(super) &'a mut [f64]);
+/// What divides one pair in the way of its own moves. Its nodes are those of the pair, and all numbers are by node.
+#[derive(Clone, Debug)]
+pub(super) struct Plane {
+    pub(super) nodes: [NodeId; 4],
+    /// How many nodes the first thing has.
+    split: usize,
+    /// Of the nearest points; those of the second thing are below 0.
+    weights: [f64; 4],
+    /// In the plane: where each node is, from their middle, and its whole move.
+    places: [DVec2; 4],
+    along: [DVec2; 4],
+    /// The rest of the whole move, towards the first thing.
+    up: [f64; 4],
+    /// How far each is at least behind the nearest point of its thing; below 0 by rounding alone. Without what that may come to,
+    /// pairs that are pressed for long would come nearer by it each time.
+    room: [f64; 4],
+    distance: f64,
+    /// What may be used up of the gap.
+    usable: f64,
+    /// The shares that are left as long as it stands still.
+    pub(super) standing: [f64; 4],
+}
 
-/// Shortens the moves of one pair, measured at `positions`.
-pub(super) fn limit_pair(pair: &Pair, near: &Near, (positions, moves): (&[DVec3], &[DVec3]), shares: Shares<'_>) {
-    let usable = USABLE * (near.gap - FLOOR * pair.width).max(0.0);
-    let (first, second) = pair.nodes.split_at(pair.split);
-    let tilt = ROUNDING / (near.gap + pair.closed).max(f64::MIN_POSITIVE);
-    let one = Side::new(first, &near.weights[..pair.split], 1.0, (near.normal, tilt), (positions, moves));
-    let other = Side::new(second, &near.weights[pair.split..], -1.0, (-near.normal, tilt), (positions, moves));
-    let all = one.approach + other.approach;
-    if all <= 0.0 {
-        return;
+impl Plane {
+    /// Of a pair measured at `positions`; none where whole moves are not in each other's way.
+    pub(super) fn new(pair: &Pair, near: &Near, (positions, moves): (&[DVec3], &[DVec3])) -> Option<Self> {
+        let (normal, distance) = (near.normal, near.gap + pair.closed);
+        let at = pair.points(positions);
+        let by = pair.nodes.map(|node| moves[node.index()]);
+        let thing = |from: usize, to: usize| (from..to).map(|i| at[i] * near.weights[i].abs()).sum::<DVec3>();
+        let points = [thing(0, pair.split), thing(pair.split, 4)];
+        let tilt = ROUNDING / distance.max(f64::MIN_POSITIVE);
+        let room = std::array::from_fn(|i| {
+            let from = at[i] - points[usize::from(i >= pair.split)];
+            let behind = if i < pair.split { from.dot(normal) } else { -from.dot(normal) };
+            behind - tilt * from.length()
+        });
+        let (x, y) = normal.try_normalize().unwrap_or(DVec3::Z).any_orthonormal_pair();
+        let middle = 0.25 * (at[0] + at[1] + at[2] + at[3]);
+        let flat = |v: DVec3| DVec2::new(v.dot(x), v.dot(y));
+        let mut plane = Self {
+            nodes: pair.nodes,
+            split: pair.split,
+            weights: near.weights,
+            places: at.map(|at| flat(at - middle)),
+            along: by.map(flat),
+            up: by.map(|by| by.dot(normal)),
+            room,
+            distance,
+            usable: USABLE * (near.gap - FLOOR * pair.width).max(0.0),
+            standing: [1.0; 4],
+        };
+        plane.standing = plane.stand();
+        plane.standing.iter().any(|share| *share < 1.0).then_some(plane)
     }
-    let Shares(shares) = shares;
-    one.limit(usable * one.approach / all, (positions, moves), shares);
-    other.limit(usable * other.approach / all, (positions, moves), shares);
-}
 
-/// One of the two things, seen along the normal that points away from the other.
-struct Side<'a> {
-    nodes: &'a [NodeId],
-    normal: DVec3,
-    /// How far the normal may be off, in radians.
-    tilt: f64,
-    /// Its point that is nearest to the other.
-    point: DVec3,
-    /// How far it would come beyond that point.
-    approach: f64,
-}
+    /// 1 where up is away from the other thing, -1 where it is towards it.
+    fn away(&self, node: usize) -> f64 {
+        if node < self.split { 1.0 } else { -1.0 }
+    }
 
-impl<'a> Side<'a> {
-    fn new(
-        nodes: &'a [NodeId],
-        weights: &[f64],
-        sign: f64,
-        (normal, tilt): (DVec3, f64),
-        (positions, moves): (&[DVec3], &[DVec3]),
-    ) -> Self {
-        let point = nodes.iter().zip(weights).map(|(n, w)| positions[n.index()] * (sign * w)).sum();
-        let mut side = Self { nodes, normal, tilt, point, approach: 0.0 };
-        for node in nodes {
-            let approach = -moves[node.index()].dot(normal) - side.room(positions[node.index()]);
-            side.approach = side.approach.max(approach);
+    /// How far each of the two things comes beyond its nearest point at most, of so much by each node.
+    fn beyond(&self, by: impl Fn(usize) -> f64) -> [f64; 2] {
+        [0..self.split, self.split..4]
+            .map(|thing| thing.map(|i| by(i) - self.room[i]).fold(f64::NEG_INFINITY, f64::max))
+    }
+
+    /// The shares of whole moves that keep each node on its side of a plane that stands still. What lies between is shared out as the
+    /// things would use it. A node that is too far already, by rounding, stays.
+    fn stand(&self) -> [f64; 4] {
+        let advance = |i: usize| -self.away(i) * self.up[i];
+        let beyond = self.beyond(advance).map(|by| by.max(0.0));
+        let all = beyond[0] + beyond[1];
+        std::array::from_fn(|i| {
+            let usable = if all > 0.0 { self.usable * beyond[usize::from(i >= self.split)] / all } else { self.usable };
+            let (advance, room) = (advance(i), self.room[i] + usable);
+            if advance > room && advance > 0.0 { (room / advance).max(0.0) } else { 1.0 }
+        })
+    }
+
+    /// Whether nothing meets anything if the nodes make these shares of their moves.
+    pub(super) fn is_free(&self, shares: [f64; 4]) -> bool {
+        self.stands_for(shares) || self.used(shares) <= SLACK * self.usable
+    }
+
+    /// What these shares of the moves use up of the gap, as a plane sees it that moves and turns along with them; infinite
+    /// where it would turn far.
+    ///
+    /// By the end of the move it has risen by `rise + slope . x` at the place x: by as much as the nodes there, but for what the
+    /// nearest points have come nearer to each other, half of it each. Four places of which the nearest points are one are so met
+    /// exactly. A node at x that moves by v along the plane is above it, at the time t from 0 to 1, by h + t (up - rise - slope . x) - t² slope . v:
+    /// never less than where it was but for what is counted here. A plane that has turned is nearer than it is below or above.
+    fn used(&self, shares: [f64; 4]) -> f64 {
+        let ups: [f64; 4] = std::array::from_fn(|i| shares[i] * self.up[i]);
+        let nearer = -(0..4).map(|i| self.weights[i] * ups[i]).sum::<f64>();
+        let wanted: [f64; 4] = std::array::from_fn(|i| ups[i] + 0.5 * self.away(i) * nearer);
+        let rise = 0.25 * wanted.iter().sum::<f64>();
+        let (mut xx, mut xy, mut yy, mut towards) = (0.0, 0.0, 0.0, DVec2::ZERO);
+        for (place, wanted) in self.places.iter().zip(wanted) {
+            xx += place.x * place.x;
+            xy += place.x * place.y;
+            yy += place.y * place.y;
+            towards += *place * (wanted - rise);
         }
-        side
+        let (area, extent) = (xx * yy - xy * xy, xx + yy);
+        let slope = DVec2::new(yy * towards.x - xy * towards.y, xx * towards.y - xy * towards.x) / area;
+        let tilt = slope.length();
+        if area.is_nan() || area <= FLAT * extent * extent || tilt > MOST_TILT {
+            return f64::INFINITY;
+        }
+        let beyond = self.beyond(|i| {
+            let away = self.away(i);
+            let risen = rise + slope.dot(self.places[i]);
+            away * (risen - ups[i]) + (away * shares[i] * slope.dot(self.along[i])).max(0.0)
+        });
+        beyond[0] + beyond[1] + 0.5 * tilt * tilt * self.distance
     }
 
-    /// How far a node is at least behind the nearest point; below 0 by rounding alone. Without what that may come to, pairs
-    /// that are pressed for long would come nearer by it each time.
-    fn room(&self, position: DVec3) -> f64 {
-        let from = position - self.point;
-        from.dot(self.normal) - self.tilt * from.length()
+    /// The shares to go on with: these if they are free; else all less by as much as they use too much, or those that a plane leaves
+    /// that stands still, which are free whatever others do, the kinder of both.
+    pub(super) fn wanted(&self, shares: [f64; 4]) -> [f64; 4] {
+        if self.stands_for(shares) {
+            return shares;
+        }
+        let used = self.used(shares);
+        if used <= SLACK * self.usable {
+            return shares;
+        }
+        let (alike, least) = (self.usable / used, |of: [f64; 4]| of.into_iter().fold(1.0, f64::min));
+        if alike * least(shares) > least(self.standing) { shares.map(|share| alike * share) } else { self.standing }
     }
 
-    /// Lets no node come more than `usable` beyond the nearest point. One that is there already by rounding stays.
-    fn limit(&self, usable: f64, (positions, moves): (&[DVec3], &[DVec3]), shares: &mut [f64]) {
-        for node in self.nodes.iter().map(|n| n.index()) {
-            let advance = -moves[node].dot(self.normal);
-            let room = self.room(positions[node]) + usable;
-            if advance > room && advance > 0.0 {
-                shares[node] = shares[node].min((room / advance).max(0.0));
+    fn stands_for(&self, shares: [f64; 4]) -> bool {
+        shares.iter().zip(&self.standing).all(|(share, most)| share <= most)
+    }
+
+    /// The largest share of all moves alike that is free: what they use up of the gap grows at least as they do.
+    #[cfg(feature = "newton")]
+    pub(super) fn alike(&self) -> f64 {
+        let used = self.used([1.0; 4]);
+        let standing = self.standing.into_iter().fold(1.0, f64::min);
+        if used <= SLACK * self.usable { 1.0 } else { standing.max(self.usable / used) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::distance::{of_edges, of_point_and_triangle};
+
+    /// Numbers from -1 to 1, by a fixed sequence.
+    fn noise(seed: u64) -> impl FnMut() -> f64 {
+        let mut state = seed;
+        move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            f64::from(u32::try_from(state >> 32).expect("32 bits")) / f64::from(1_u32 << 31) - 1.0
+        }
+    }
+
+    fn pair(split: usize, closed: f64) -> Pair {
+        Pair { nodes: [0, 1, 2, 3].map(NodeId), split, closed, width: 0.05, eased: 0.0 }
+    }
+
+    /// Two things near each other, and moves: of both alike, by turning and shifting them, and a little of each node's own.
+    fn case(split: usize, seed: u64) -> ([DVec3; 4], [DVec3; 4]) {
+        let mut next = noise(seed);
+        let mut vector = || DVec3::new(next(), next(), next());
+        let (turn, shift) = (vector(), vector());
+        let at: [DVec3; 4] = std::array::from_fn(|i| {
+            let place = vector() * DVec3::new(1.0, 1.0, 0.01);
+            if i < split { place + 0.03 * DVec3::Z } else { place }
+        });
+        (at, at.map(|at| 0.05 * (turn.cross(at) + shift) + 0.01 * vector()))
+    }
+
+    /// The least distance on the way of these shares of the moves.
+    fn least(split: usize, at: [DVec3; 4], by: [DVec3; 4], shares: [f64; 4]) -> f64 {
+        let distance = |t: f64| {
+            let points = std::array::from_fn(|i| at[i] + t * shares[i] * by[i]);
+            let nearest = if split == 1 { of_point_and_triangle(&points) } else { of_edges(&points) };
+            nearest.apart.length()
+        };
+        (0..=200).map(|i| distance(f64::from(i) / 200.0)).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn no_pair_uses_up_more_of_its_gap_than_it_may() {
+        let (mut shortened, mut whole, mut would) = (0, 0, 0);
+        for (split, seed) in [1, 2].into_iter().flat_map(|split| (0..2000).map(move |seed| (split, seed))) {
+            let (at, by) = case(split, seed);
+            let distance = least(split, at, by, [0.0; 4]);
+            for closed in [0.0, 0.9 * distance] {
+                let pair = pair(split, closed);
+                let near = pair.near(0, &at);
+                let Some(plane) = Plane::new(&pair, &near, (&at, &by)) else { continue };
+                let most = 1.001 * USABLE * near.gap;
+                let mut shares = [1.0; 4];
+                while !plane.is_free(shares) {
+                    shares = plane.wanted(shares);
+                }
+                let kept = |shares| distance - least(split, at, by, shares) <= most;
+                assert!(kept(shares), "{split} {seed}, closed at {closed}: {shares:?}");
+                assert!(kept(plane.standing), "{split} {seed}, closed at {closed}: {:?} standing", plane.standing);
+                #[cfg(feature = "newton")]
+                for share in [1.0, 0.4] {
+                    assert!(kept([share * plane.alike(); 4]), "{split} {seed}, closed at {closed}: alike");
+                }
+                would += usize::from(!kept([1.0; 4]));
+                if shares == [1.0; 4] { whole += 1 } else { shortened += 1 }
             }
         }
+        assert!(shortened > 500 && whole > 500 && would > 300, "{shortened} {whole} {would}");
+    }
+
+    #[test]
+    fn what_turns_together_goes_on_and_what_comes_nearer_does_not() {
+        let at = [-DVec3::X, DVec3::X, DVec3::new(0.0, -1.0, -1e-3), DVec3::new(0.0, 1.0, -1e-3)];
+        let turned = at.map(|at| 0.02 * DVec3::new(0.6, 0.8, 0.0).cross(at) - 5e-3 * DVec3::Z);
+        let (pair, shares) = (pair(2, 0.0), [1.0; 4]);
+        let plane = |by: &[DVec3; 4]| Plane::new(&pair, &pair.near(0, &at), (&at, by)).expect("in the way");
+        let least = |of: [f64; 4]| of.into_iter().fold(1.0, f64::min);
+        let together = plane(&turned);
+        assert!(together.is_free(shares) && least(together.standing) < 0.1, "{:?}", together.standing);
+        // The one behind comes nearer by twice what it may.
+        let nearer = [0, 1, 2, 3].map(|i| turned[i] + if i < 2 { -1e-3 * DVec3::Z } else { DVec3::ZERO });
+        let nearer = plane(&nearer);
+        assert!(!nearer.is_free(shares));
+        let wanted = nearer.wanted(shares);
+        assert!(least(wanted) > 0.4 && least(wanted) < 0.6, "{wanted:?}");
+        // And where one stays back, the other does not go on through it.
+        assert!(!together.is_free([1.0, 1.0, 0.0, 0.0]));
     }
 }

@@ -140,9 +140,9 @@ impl PlainContact {
         (forces, sums)
     }
 
-    /// The share of its move that each node may make.
+    /// The share of its move that each node may make where planes stand still.
     pub fn limit(&mut self, positions: &[DVec3], moves: &[DVec3]) -> Vec<f64> {
-        self.0.limit(positions, moves).to_vec()
+        self.0.limit_standing(positions, moves).to_vec()
     }
 }
 

@@ -27,6 +27,7 @@ mod settings;
 mod sieve;
 mod soon;
 mod stars;
+mod stiff;
 mod task;
 mod wedge;
 
@@ -40,3 +41,4 @@ pub use settings::Contact;
 
 pub(crate) use layers::Layers;
 pub(crate) use pressing::pressing;
+pub(crate) use stiff::Stiff;

@@ -11,6 +11,7 @@ use super::lanes::{Arms, Given, Measured, Push, WIDTH, measure_edges, measure_en
 use super::pairs::Pair;
 use super::soon::{Brief, Kind, Soon};
 use super::stars::Star;
+use super::stiff::{STIFF, Stiff};
 use crate::ids::NodeId;
 use crate::parallel;
 use part::{Part, Those};
@@ -23,7 +24,7 @@ const OF_GROUP: usize = 4;
 /// More tasks are never made.
 const MOST: usize = 8;
 
-/// What a node feels of contact: the force, and the bound on the row sum of its stiffness.
+/// What a node feels of contact: the force, and the bound on the row sum of its stiffness but for that of stiff pairs.
 pub(super) type Felt = [f64; 4];
 
 /// What is done to a part of the pairs, with memory of its own.
@@ -33,6 +34,8 @@ pub(super) struct Task {
     pub(super) felt: Vec<Felt>,
     /// How many pairs of the part push.
     pub(super) pushing: usize,
+    /// Those that are stiff.
+    pub(super) stiff: Vec<Stiff>,
     given: Given,
     measured: Measured,
     push: Push,
@@ -57,6 +60,7 @@ impl Task {
         Self {
             felt: Vec::new(),
             pushing: 0,
+            stiff: Vec::new(),
             given: Given::new(),
             measured: Measured::new(),
             push: Push::new(),
@@ -70,6 +74,7 @@ impl Task {
         self.felt.clear();
         self.felt.resize(all.positions.len(), [0.0; 4]);
         self.pushing = 0;
+        self.stiff.clear();
         self.met.clear();
         pulp::Arch::new().dispatch(Work { task: self, all, part });
     }
@@ -130,9 +135,14 @@ impl Task {
     /// Adds what pair `i` of a block does.
     #[inline(always)]
     fn add(&mut self, edges: bool, i: usize, nodes: &[NodeId; 4]) {
-        let Self { measured, push, felt, .. } = self;
+        let Self { given, measured, push, felt, stiff, .. } = self;
         let [x, y, z] = [push.force[0][i], push.force[1][i], push.force[2][i]];
-        let stiffness = push.stiffness[i];
+        let mut stiffness = push.stiffness[i];
+        if measured.gap[i] < STIFF * given.width[i] {
+            let weights = [0, 1, 2, 3].map(|node| measured.weights[node][i]);
+            stiff.push(Stiff { nodes: *nodes, weights, normal: measured.normal(i), stiffness: 0.5 * stiffness });
+            stiffness = 0.0;
+        }
         for (node, weights) in nodes.iter().zip(&measured.weights) {
             let weight = weights[i];
             let own = &mut felt[node.index()];

@@ -83,6 +83,12 @@ impl Measured {
         self.sine[i] <= PARALLEL
     }
 
+    /// The normal of pair `i`.
+    #[inline(always)]
+    pub(super) fn normal(&self, i: usize) -> DVec3 {
+        DVec3::new(self.normal[0][i], self.normal[1][i], self.normal[2][i])
+    }
+
     /// Which nodes of pair `i` have a weight that is not 0, as bits.
     #[inline(always)]
     pub(super) fn nodes(&self, i: usize) -> u8 {

@@ -2,23 +2,77 @@
 
 use glam::DVec3;
 
-use super::super::limit::{FLOOR, Shares, WITHIN, limit_pair};
+use super::super::limit::{FLOOR, Plane, WITHIN};
 use super::Layers;
 use crate::ids::NodeId;
 
+/// So often all planes that are asked for too much let their nodes go on more slowly alike; then so often each of them stands still;
+/// and then they all do, which is free whatever others do. More: fewer moves are shortened far, and each is dearer.
+const ALIKE: usize = 4;
+const STANDING: usize = 8;
+
 impl Layers {
-    /// Shortens moves from the positions last measured so that nothing goes through anything: no node beyond a plane between
-    /// the nearest points of a pair. Moves that are in no pair's way stay whole. The result has the share of each move that is
-    /// left, by node; all 1 where nothing was in the way.
+    /// Shortens moves from the positions last measured so that nothing goes through anything: a plane is between the two things of
+    /// each pair all the way. Moves that are in no pair's way stay whole. The result has the share of each move that is left,
+    /// by node; all 1 where nothing was in the way.
     pub(crate) fn limit(&mut self, positions: &[DVec3], moves: &[DVec3]) -> &[f64] {
+        self.divide(positions, moves);
+        for _ in 0..ALIKE {
+            if !self.shorten(Plane::wanted) {
+                return &self.shares;
+            }
+        }
+        for _ in 0..STANDING {
+            if !self.shorten(|plane, shares| if plane.is_free(shares) { shares } else { plane.standing }) {
+                return &self.shares;
+            }
+        }
+        self.shorten(|plane, _| plane.standing);
+        &self.shares
+    }
+
+    /// As [`Layers::limit`], by planes that all stand still.
+    pub(crate) fn limit_standing(&mut self, positions: &[DVec3], moves: &[DVec3]) -> &[f64] {
+        self.divide(positions, moves);
+        self.shorten(|plane, _| plane.standing);
+        &self.shares
+    }
+
+    /// The largest share of all moves alike with which nothing goes through anything.
+    #[cfg(feature = "newton")]
+    pub(crate) fn limit_alike(&mut self, positions: &[DVec3], moves: &[DVec3]) -> f64 {
+        self.divide(positions, moves);
+        self.planes.iter().map(Plane::alike).fold(1.0, f64::min)
+    }
+
+    /// Shares become those that each plane asks for of its nodes, where that is less; true if any has. All planes are asked of
+    /// the same shares, so that their order is of no account.
+    fn shorten(&mut self, wanted: impl Fn(&Plane, [f64; 4]) -> [f64; 4]) -> bool {
+        let Self { planes, shares, old_shares, .. } = self;
+        old_shares.clone_from(shares);
+        let mut less = false;
+        for plane in planes {
+            let wanted = wanted(plane, plane.nodes.map(|n| old_shares[n.index()]));
+            for (node, wanted) in plane.nodes.iter().zip(wanted) {
+                let share = &mut shares[node.index()];
+                less |= wanted < *share;
+                *share = share.min(wanted);
+            }
+        }
+        less
+    }
+
+    /// Finds the planes of all pairs that are in the way of whole moves.
+    fn divide(&mut self, positions: &[DVec3], moves: &[DVec3]) {
         self.lengths.clear();
         self.lengths.extend(moves.iter().map(|by| by.length()));
         self.shares.clear();
         self.shares.resize(moves.len(), 1.0);
+        self.planes.clear();
         let largest = self.lengths.iter().copied().fold(0.0, f64::max);
         let bound = self.look_for_limits(positions, largest);
         let farthest = self.reach();
-        let Self { pairs, lengths, shares, soon, groups, way, contact, .. } = self;
+        let Self { pairs, lengths, planes, soon, groups, way, contact, .. } = self;
         let most = |nodes: &[NodeId]| nodes.iter().map(|n| lengths[n.index()]).fold(0.0, f64::max);
         let mut look = |number: u32, due: f64| {
             let pair = &pairs[number as usize];
@@ -29,7 +83,7 @@ impl Layers {
             }
             let near = pair.near(number, positions);
             if near.gap < within {
-                limit_pair(pair, &near, (positions, moves), Shares(shares));
+                planes.extend(Plane::new(pair, &near, (positions, moves)));
             }
             Some(near.gap.min(farthest) + 2.0 * *way)
         };
@@ -44,7 +98,6 @@ impl Layers {
                 group.pairs(places).for_each(|number| _ = look(number, *due));
             }
         }
-        &self.shares
     }
 
     /// Whether some pair may be in the way of moves no longer than this, in radii, from the positions last measured.

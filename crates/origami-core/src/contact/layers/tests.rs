@@ -128,8 +128,22 @@ fn plainly(layers: &mut Layers, positions: &[DVec3]) -> Vec<Felt> {
     forces.iter().zip(sums).map(|(force, sum)| [force.x, force.y, force.z, sum]).collect()
 }
 
+/// The same as it is felt, with what stiff pairs add to the sums.
+fn felt(layers: &mut Layers, positions: &[DVec3]) -> (Vec<Felt>, usize) {
+    let mut felt = layers.felt(positions).to_vec();
+    let mut count = 0;
+    for pair in layers.stiff() {
+        count += 1;
+        for (node, weight) in pair.nodes.iter().zip(pair.weights) {
+            felt[node.index()][3] += 2.0 * pair.stiffness * weight.abs();
+        }
+    }
+    (felt, count)
+}
+
 #[test]
 fn nodes_feel_what_the_plain_functions_add() {
+    let mut all_stiff = 0;
     for (name, thickness) in [("square-twist", 0.0), ("waterbomb", 0.0), ("miura", 1e-5)] {
         let (positions, mut layers) = crumpled(name, 0.1);
         if thickness > 0.0 {
@@ -139,13 +153,15 @@ fn nodes_feel_what_the_plain_functions_add() {
         }
         let plain = plainly(&mut layers, &positions);
         let count = layers.count();
-        let felt = layers.felt(&positions).to_vec();
+        let (felt, stiff) = felt(&mut layers, &positions);
+        all_stiff += stiff;
         assert!(difference(&felt, &plain) < 1e-11, "{name}: {}", difference(&felt, &plain));
         assert!(layers.count() == count && count > 5, "{name}: {count} pairs");
         let mut other = felt.clone();
         other[3][1] += 1e-9 * plain.iter().flatten().map(|x| x.abs()).fold(0.0, f64::max);
         assert!(difference(&other, &plain) > 1e-10, "{name}: it can be told");
     }
+    assert!(all_stiff > 5, "{all_stiff} are stiff");
 }
 
 #[test]
@@ -174,7 +190,7 @@ fn a_list_that_lasts_is_as_good_as_a_new_one() {
             let speed = if step % 60 < 30 { 0.5 } else { 0.02 };
             let moves: Vec<DVec3> = drift.iter().map(|by| *by * speed * layers.longest_move()).collect();
             let known = layers.listed_at.first().copied();
-            let felt = layers.felt(&positions).to_vec();
+            let (felt, _) = felt(&mut layers, &positions);
             lists += usize::from(layers.listed_at.first().copied() != known);
             let mut new = Layers::new(&model.mesh, &model.rest, contact, false);
             let plain = plainly(&mut new, &positions);

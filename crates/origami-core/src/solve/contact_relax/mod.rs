@@ -3,6 +3,7 @@
 //! The springs are the kernel's. Contact is added after them, and so the nodes are moved here: its forces and masses change
 //! from one evaluation to the next, and moves are shortened before they are made.
 
+mod masses;
 mod moves;
 mod run;
 

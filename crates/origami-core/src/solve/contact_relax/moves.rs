@@ -21,13 +21,12 @@ impl Run<'_> {
         let felt = self.layers.felt(&self.positions);
         self.felt = !felt.is_empty();
         if self.felt {
-            let masses = self.masses.iter_mut().zip(&self.springs);
-            for ((force, (mass, [springs, _])), [x, y, z, sum]) in self.forces.iter_mut().zip(masses).zip(felt) {
+            for (force, [x, y, z, _]) in self.forces.iter_mut().zip(felt) {
                 *force += DVec3::new(*x, *y, *z);
-                let sum = springs + sum;
-                *mass = [sum, 1.0 / sum];
             }
+            self.masses.weigh(self.springs.iter().zip(felt).map(|([springs, _], [.., sum])| springs + sum));
             self.surroundings.held().clear(&mut self.forces);
+            self.masses.hold(self.layers.stiff(), &self.forces);
         }
         self.touch.most_pairs = self.touch.most_pairs.max(self.layers.listed());
         turned
@@ -43,21 +42,26 @@ impl Run<'_> {
 
     /// One move by FIRE, shortened where something is in the way.
     pub(super) fn advance(&mut self) {
-        let masses = if self.felt { &self.masses } else { &self.springs };
-        let mut sums = Sums::default();
-        for ((force, velocity), [mass, inverse]) in self.forces.iter().zip(&self.velocities).zip(masses) {
+        let forces = self.forces.as_slice();
+        let (masses, left, speed) = if self.felt {
+            (&self.masses.nodes, self.masses.left(forces), self.masses.speed(&self.velocities))
+        } else {
+            (&self.springs, forces, 0.0)
+        };
+        let mut sums = Sums { speed, ..Sums::default() };
+        for (((force, left), velocity), [mass, inverse]) in forces.iter().zip(left).zip(&self.velocities).zip(masses) {
             sums.power += force.dot(*velocity);
             sums.speed += mass * velocity.length_squared();
-            sums.pull += force.length_squared() * inverse;
+            sums.pull += force.dot(*left) * inverse;
         }
         let Decision { step, keep, towards_force, back } = fire_update(&mut self.fire, sums);
         let longest = self.layers.longest_move();
         let mut largest = 0.0_f64;
-        for (((by, velocity), force), [_, inverse]) in
-            self.moves.iter_mut().zip(&mut self.velocities).zip(&self.forces).zip(masses)
+        for (((by, velocity), left), [_, inverse]) in
+            self.moves.iter_mut().zip(&mut self.velocities).zip(left).zip(masses)
         {
             let old = *velocity;
-            *velocity = keep * old + (towards_force * inverse) * *force;
+            *velocity = keep * old + (towards_force * inverse) * *left;
             *by = step * *velocity + back * old;
             let square = by.length_squared();
             if square > longest * longest {

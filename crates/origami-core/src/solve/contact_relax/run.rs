@@ -14,6 +14,7 @@ use super::super::settle::Settling;
 use super::super::surroundings::Surroundings;
 use super::super::{Failed, Folded, Progress, REPORT, State, Stop};
 use super::ContactRelax;
+use super::masses::Masses;
 use crate::contact::Layers;
 use crate::kernel::{Bounds, Kernel};
 use crate::model::Model;
@@ -42,8 +43,8 @@ pub(super) struct Run<'a> {
     pub(super) moves: Vec<DVec3>,
     /// By node: row sums of the springs, with their inverses.
     pub(super) springs: Vec<[f64; 2]>,
-    /// The same with those of contact; of no use where nothing is felt of it.
-    pub(super) masses: Vec<[f64; 2]>,
+    /// With those of contact; of no use where nothing is felt of it.
+    pub(super) masses: Masses,
     pub(super) felt: bool,
     pub(super) steps: u64,
     /// The evaluation at which the ramp was done.
@@ -86,7 +87,7 @@ impl<'a> Run<'a> {
             forces: vec![DVec3::ZERO; nodes],
             moves: vec![DVec3::ZERO; nodes],
             springs: vec![[0.0; 2]; nodes],
-            masses: vec![[0.0; 2]; nodes],
+            masses: Masses::default(),
             felt: false,
             steps: 0,
             arrived: 0,

@@ -73,7 +73,7 @@ impl Pressed {
         let longest = moves.iter().map(|by| by.length()).fold(0.0, f64::max);
         let share = (inner.layers.longest_move() / longest).min(1.0);
         let moves: Vec<DVec3> = moves.iter().map(|by| *by * share).collect();
-        inner.layers.limit(positions, &moves).iter().fold(1.0, |least: f64, share| least.min(*share)) * share
+        inner.layers.limit_alike(positions, &moves) * share
     }
 
     /// Looks at the layers as they are at `positions`.

@@ -13,7 +13,7 @@ use super::barrier::Barrier;
 use super::drift::nearer;
 use super::finder::Finder;
 use super::groups::Groups;
-use super::limit::Plane;
+use super::limit::{FLOOR, Plane};
 use super::pairs::{Near, Pair, eased};
 use super::soon::Soon;
 use super::stars::Star;
@@ -39,6 +39,8 @@ pub(crate) struct Layers {
     /// Whether many pairs are measured by many threads.
     shared: bool,
     finder: Finder,
+    /// The share of a pair's width that is never used up.
+    pub(crate) floor: f64,
     skin: f64,
     /// How far beyond the gap pairs are listed now, and at least.
     room: f64,
@@ -89,6 +91,7 @@ impl Layers {
             contact,
             shared,
             finder,
+            floor: FLOOR,
             skin,
             room: skin,
             least_room: skin,

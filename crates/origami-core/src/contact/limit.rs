@@ -16,12 +16,15 @@ pub const USABLE: f64 = 0.5;
 /// A pair is looked at before a move if its gap, but for what is never used up of it, is below so many times what both of its
 /// things may move: what is not looked at uses up no more than a move may.
 pub const WITHIN: f64 = 1.0 / USABLE;
-/// The share of a pair's width that is never used up: without it gaps would shrink to nothing by halves.
-pub(super) const FLOOR: f64 = 1e-3;
+/// The share of a pair's width that is never used up: without it gaps would shrink to nothing by halves. Larger: what is pressed
+/// into narrow folds has less room.
+pub(super) const FLOOR: f64 = 1e-5;
 
-/// How far off the two nearest points may be by rounding, in radii. A normal is off by that over their distance, and so what lies
-/// as far from them as a radius seems to have more or less room than it has.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// And so many radii: the direction from one nearest point to the other is off by rounding over the gap, and with it what lies
+/// between.
+const LEAST: f64 = 5e-8;
+/// What rounding may take from what lies between two things, as a share of their extent.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// What rounding may add to what is used up.
 const SLACK: f64 = 1.0 + 1e-9;
 /// A plane turns by no more than this in one move, in radians.
@@ -42,8 +45,7 @@ pub(super) struct Plane {
     along: [DVec2; 4],
     /// The rest of the whole move, towards the first thing.
     up: [f64; 4],
-    /// How far each is at least behind the nearest point of its thing; below 0 by rounding alone. Without what that may come to,
-    /// pairs that are pressed for long would come nearer by it each time.
+    /// How far each is behind the front of its thing.
     room: [f64; 4],
     distance: f64,
     /// What may be used up of the gap.
@@ -53,36 +55,40 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    /// Of a pair measured at `positions`; none where whole moves are not in each other's way.
-    pub(super) fn new(pair: &Pair, near: &Near, (positions, moves): (&[DVec3], &[DVec3])) -> Option<Self> {
-        let (normal, distance) = (near.normal, near.gap + pair.closed);
+    /// Of a pair measured at `positions`, which is never to use up that share of its width; none where whole moves are not in each
+    /// other's way.
+    ///
+    /// What lies between is measured along the normal, node by node, so that it is free however well the normal is known.
+    pub(super) fn new(pair: &Pair, near: &Near, floor: f64, (positions, moves): (&[DVec3], &[DVec3])) -> Option<Self> {
         let at = pair.points(positions);
         let by = pair.nodes.map(|node| moves[node.index()]);
-        let thing = |from: usize, to: usize| (from..to).map(|i| at[i] * near.weights[i].abs()).sum::<DVec3>();
-        let points = [thing(0, pair.split), thing(pair.split, 4)];
-        let tilt = ROUNDING / distance.max(f64::MIN_POSITIVE);
-        let room = std::array::from_fn(|i| {
-            let from = at[i] - points[usize::from(i >= pair.split)];
-            let behind = if i < pair.split { from.dot(normal) } else { -from.dot(normal) };
-            behind - tilt * from.length()
-        });
-        let (x, y) = normal.try_normalize().unwrap_or(DVec3::Z).any_orthonormal_pair();
         let middle = 0.25 * (at[0] + at[1] + at[2] + at[3]);
-        let flat = |v: DVec3| DVec2::new(v.dot(x), v.dot(y));
+        let from_middle = at.map(|at| at - middle);
+        let distance = near.gap + pair.closed;
+        let slab = Slab::best(&from_middle, pair.split, (near.normal, distance));
         let mut plane = Self {
             nodes: pair.nodes,
             split: pair.split,
             weights: near.weights,
-            places: at.map(|at| flat(at - middle)),
-            along: by.map(flat),
-            up: by.map(|by| by.dot(normal)),
-            room,
+            places: [DVec2::ZERO; 4],
+            along: [DVec2::ZERO; 4],
+            up: by.map(|by| by.dot(slab.normal)),
+            room: slab.room,
             distance,
-            usable: USABLE * (near.gap - FLOOR * pair.width).max(0.0),
-            standing: [1.0; 4],
+            usable: USABLE * (slab.between - pair.closed - (floor * pair.width).max(LEAST)).max(0.0),
+            standing: [0.0; 4],
         };
-        plane.standing = plane.stand();
-        plane.standing.iter().any(|share| *share < 1.0).then_some(plane)
+        // Where rounding hides what lies between, nothing moves.
+        if slab.between > 0.0 {
+            plane.standing = plane.stand();
+            if plane.standing == [1.0; 4] {
+                return None;
+            }
+        }
+        let (x, y) = slab.normal.try_normalize().unwrap_or(DVec3::Z).any_orthonormal_pair();
+        let flat = |v: DVec3| DVec2::new(v.dot(x), v.dot(y));
+        (plane.places, plane.along) = (from_middle.map(flat), by.map(flat));
+        Some(plane)
     }
 
     /// 1 where up is away from the other thing, -1 where it is towards it.
@@ -90,14 +96,14 @@ impl Plane {
         if node < self.split { 1.0 } else { -1.0 }
     }
 
-    /// How far each of the two things comes beyond its nearest point at most, of so much by each node.
+    /// How far each of the two things comes beyond its front at most, of so much by each node.
     fn beyond(&self, by: impl Fn(usize) -> f64) -> [f64; 2] {
         [0..self.split, self.split..4]
             .map(|thing| thing.map(|i| by(i) - self.room[i]).fold(f64::NEG_INFINITY, f64::max))
     }
 
     /// The shares of whole moves that keep each node on its side of a plane that stands still. What lies between is shared out as the
-    /// things would use it. A node that is too far already, by rounding, stays.
+    /// things would use it.
     fn stand(&self) -> [f64; 4] {
         let advance = |i: usize| -self.away(i) * self.up[i];
         let beyond = self.beyond(advance).map(|by| by.max(0.0));
@@ -174,6 +180,40 @@ impl Plane {
     }
 }
 
+/// What lies between two things along a normal, for sure.
+struct Slab {
+    normal: DVec3,
+    /// By node: how far it is behind the front of its thing.
+    room: [f64; 4],
+    between: f64,
+}
+
+impl Slab {
+    fn new(points: &[DVec3; 4], split: usize, normal: DVec3) -> Self {
+        let heights = points.map(|point| point.dot(normal));
+        let (first, second) = heights.split_at(split);
+        let lowest = first.iter().copied().fold(f64::INFINITY, f64::min);
+        let highest = second.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let room = std::array::from_fn(|i| if i < split { heights[i] - lowest } else { highest - heights[i] });
+        let extent = points.iter().map(|point| point.length_squared()).fold(0.0, f64::max).sqrt();
+        Self { normal, room, between: lowest - highest - ROUNDING * extent }
+    }
+
+    /// Along the normal from one nearest point to the other; where they are so near that rounding has turned it, along that of
+    /// the triangle, or of both edges, if more lies between there.
+    fn best(points: &[DVec3; 4], split: usize, (normal, distance): (DVec3, f64)) -> Self {
+        let own = Self::new(points, split, normal);
+        if own.between > 0.5 * distance {
+            return own;
+        }
+        let [p, q, r, s] = *points;
+        let other = if split == 1 { (r - q).cross(s - q) } else { (q - p).cross(s - r) };
+        let sign = if other.dot(normal) < 0.0 { -1.0 } else { 1.0 };
+        let other = Self::new(points, split, sign * other.normalize_or_zero());
+        if other.between > own.between { other } else { own }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -223,7 +263,7 @@ mod tests {
             for closed in [0.0, 0.9 * distance] {
                 let pair = pair(split, closed);
                 let near = pair.near(0, &at);
-                let Some(plane) = Plane::new(&pair, &near, (&at, &by)) else { continue };
+                let Some(plane) = Plane::new(&pair, &near, FLOOR, (&at, &by)) else { continue };
                 let most = 1.001 * USABLE * near.gap;
                 let mut shares = [1.0; 4];
                 while !plane.is_free(shares) {
@@ -248,7 +288,7 @@ mod tests {
         let at = [-DVec3::X, DVec3::X, DVec3::new(0.0, -1.0, -1e-3), DVec3::new(0.0, 1.0, -1e-3)];
         let turned = at.map(|at| 0.02 * DVec3::new(0.6, 0.8, 0.0).cross(at) - 5e-3 * DVec3::Z);
         let (pair, shares) = (pair(2, 0.0), [1.0; 4]);
-        let plane = |by: &[DVec3; 4]| Plane::new(&pair, &pair.near(0, &at), (&at, by)).expect("in the way");
+        let plane = |by: &[DVec3; 4]| Plane::new(&pair, &pair.near(0, &at), FLOOR, (&at, by)).expect("in the way");
         let least = |of: [f64; 4]| of.into_iter().fold(1.0, f64::min);
         let together = plane(&turned);
         assert!(together.is_free(shares) && least(together.standing) < 0.1, "{:?}", together.standing);

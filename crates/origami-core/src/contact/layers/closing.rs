@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-use super::super::limit::FLOOR;
 use super::Layers;
 
 /// Pairs are listed up to so many times the skin beyond the gap where moves are long, ...
@@ -42,7 +41,7 @@ impl Layers {
             Step { time: if swiftest * longest > within { within / swiftest } else { longest }, limited: false };
         let bound = self.look_for_near_within(positions, self.contact.gap + 2.0 * step.time * swiftest);
         let farthest = self.reach();
-        let Self { pairs, soon, way, .. } = self;
+        let Self { pairs, soon, way, floor, .. } = self;
         for (brief, due) in soon.iter_mut() {
             if *due >= bound {
                 continue;
@@ -50,10 +49,10 @@ impl Layers {
             let pair = &pairs[brief.number as usize];
             let near = pair.near(brief.number, positions);
             *due = near.gap.min(farthest) + 2.0 * *way;
-            let closed = near.gap < CLOSED * FLOOR * pair.width;
+            let closed = near.gap < CLOSED * *floor * pair.width;
             let may_lose = match near.gap - pair.width {
                 beyond if beyond > 0.0 => beyond + share * pair.width,
-                _ => share * (near.gap - FLOOR * pair.width).max(0.0),
+                _ => share * (near.gap - *floor * pair.width).max(0.0),
             };
             let distance = near.gap + pair.closed;
             let (first, second) = pair.nodes.split_at(pair.split);

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::limit::{FLOOR, Plane, WITHIN};
+use super::super::limit::{Plane, WITHIN};
 use super::Layers;
 use crate::ids::NodeId;
 
@@ -72,18 +72,18 @@ impl Layers {
         let largest = self.lengths.iter().copied().fold(0.0, f64::max);
         let bound = self.look_for_limits(positions, largest);
         let farthest = self.reach();
-        let Self { pairs, lengths, planes, soon, groups, way, contact, .. } = self;
+        let Self { pairs, lengths, planes, soon, groups, way, contact, floor, .. } = self;
         let most = |nodes: &[NodeId]| nodes.iter().map(|n| lengths[n.index()]).fold(0.0, f64::max);
         let mut look = |number: u32, due: f64| {
             let pair = &pairs[number as usize];
             let (first, second) = pair.nodes.split_at(pair.split);
-            let within = WITHIN * (most(first) + most(second)) + FLOOR * pair.width;
+            let within = WITHIN * (most(first) + most(second)) + *floor * pair.width;
             if due - 2.0 * *way >= within {
                 return None;
             }
             let near = pair.near(number, positions);
             if near.gap < within {
-                planes.extend(Plane::new(pair, &near, (positions, moves)));
+                planes.extend(Plane::new(pair, &near, *floor, (positions, moves)));
             }
             Some(near.gap.min(farthest) + 2.0 * *way)
         };
@@ -94,7 +94,7 @@ impl Layers {
         for ((group, places), due) in own.filter(|(_, due)| **due < bound) {
             // The longest that any of its nodes may move.
             let [first, second] = group.corners.map(|c| most(&[c]).max(most(&groups.stars[c.index()].ends)));
-            if *due - 2.0 * *way < WITHIN * (first + second) + FLOOR * contact.gap {
+            if *due - 2.0 * *way < WITHIN * (first + second) + *floor * contact.gap {
                 group.pairs(places).for_each(|number| _ = look(number, *due));
             }
         }
@@ -108,7 +108,7 @@ impl Layers {
 
     /// Sees to it that all pairs are known that may be in the way of moves no longer than this: they are due before the result.
     fn look_for_limits(&mut self, positions: &[DVec3], largest: f64) -> f64 {
-        self.look_for_near_within(positions, 2.0 * WITHIN * largest + FLOOR * self.contact.gap)
+        self.look_for_near_within(positions, 2.0 * WITHIN * largest + self.floor * self.contact.gap)
     }
 
     /// Sees to it that all pairs are known whose gap may be below `within`: they are due before the result.

@@ -31,6 +31,9 @@ const OF_A_GAP: f64 = 0.025;
 /// Of a sheet that is damped, and loses energy anyway, steps are so many times as long.
 const DAMPED: f64 = 4.0;
 
+/// The share of a gap's width that is never used up; more than in relaxation, since steps are as short as layers are pressed hard.
+const FLOOR: f64 = 1e-3;
+
 /// One motion.
 pub(super) struct Run<'a> {
     dynamics: &'a Dynamics,
@@ -72,7 +75,8 @@ impl<'a> Run<'a> {
         let mut positions = start.positions.clone();
         scene.place_supports(&mut positions);
         let layers = first_layers(model, &positions, solver.contact, threads > 1);
-        let layers = layers.map_err(|refusal| Failed::refused(refusal, start))?;
+        let mut layers = layers.map_err(|refusal| Failed::refused(refusal, start))?;
+        layers.floor = FLOOR;
         let ramp = Ramp::new(&start.targets, targets, dynamics.ramp);
         let bounds = Bounds { farthest: FARTHEST, longest_move: LONGEST_MOVE };
         let mut kernel = Kernel::new(model, false, bounds, &positions, &[], &start.fold_angles, threads);

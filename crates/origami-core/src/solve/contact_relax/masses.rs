@@ -12,7 +12,7 @@ use crate::contact::Stiff;
 
 /// Of pairs that share nodes so many are taken whole, the stiffest; what others do is added to the masses of their nodes. More:
 /// they move with more freedom, and their equations are dearer.
-const MOST: usize = 48;
+const MOST: usize = 24;
 
 /// Masses of all nodes.
 #[derive(Clone, Debug, Default)]

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use origami_core::contact::Crossings;
+use origami_core::contact::{Contact, Crossings};
 use origami_core::fold::Document;
 use origami_core::glam::DVec3;
 use origami_core::ids::{EdgeId, NodeId};
@@ -151,37 +151,39 @@ fn permutations(of: &[u32]) -> Vec<Vec<u32>> {
     of.iter().flat_map(|first| with(*first)).collect()
 }
 
+/// Folds the creases of a strip of squares one after the other, each to the side that its bit tells. The order in which the squares
+/// come to lie, which is the one told; none where the fold ends blocked.
+fn order_by_steps(panels: u32, (creases, sides): (&[u32], u32), contact: &ContactRelax) -> Option<Vec<u32>> {
+    let step = |crease: &u32| {
+        let to = if sides >> crease & 1 == 1 { 180 } else { -180 };
+        json!({ "creases": { "edges": [crease] }, "to": to })
+    };
+    let steps: Vec<Value> = creases.iter().map(step).collect();
+    let (model, reached) = in_steps(&strip(&vec![1.0; panels as usize]), &steps.into(), contact.clone());
+    let folded = &reached.last().expect("steps").folded;
+    if folded.stop != Stop::Converged {
+        return None;
+    }
+    let layers = layers(&model, &folded.state, panels, 0);
+    assert!(is_valid(&layers), "creases {creases:?} to the sides {sides:b}: {layers:?}");
+    let place = |panel: u32| layers.iter().position(|own| *own == panel);
+    for crease in 0..panels - 1 {
+        // A valley takes the next panel above one that faces up.
+        let (valley, above) = (sides >> crease & 1 == 1, place(crease + 1) > place(crease));
+        assert_eq!(above, valley == crease.is_multiple_of(2), "creases {creases:?} to {sides:b}: {layers:?}");
+    }
+    Some(layers)
+}
+
 /// All orders of a strip of so many squares that come of folding one crease after the other, each to one side or the other; and
 /// how many of those ways ended blocked.
 fn orders_by_steps(panels: u32) -> (BTreeSet<Vec<u32>>, usize) {
-    let text = strip(&vec![1.0; panels as usize]);
     let creases: Vec<u32> = (0..panels - 1).collect();
-    let (mut found, mut blocked) = (BTreeSet::new(), 0);
-    for order in permutations(&creases) {
-        for sides in 0..1_u32 << (panels - 1) {
-            let step = |crease: &u32| {
-                let to = if sides >> crease & 1 == 1 { 180 } else { -180 };
-                json!({ "creases": { "edges": [crease] }, "to": to })
-            };
-            let steps: Vec<Value> = order.iter().map(step).collect();
-            let (model, reached) = in_steps(&text, &steps.into(), ContactRelax::default());
-            let folded = &reached.last().expect("steps").folded;
-            if folded.stop != Stop::Converged {
-                blocked += 1;
-                continue;
-            }
-            let layers = layers(&model, &folded.state, panels, 0);
-            assert!(is_valid(&layers), "creases {order:?} to the sides {sides:b}: {layers:?}");
-            let place = |panel: u32| layers.iter().position(|own| *own == panel);
-            for crease in 0..panels - 1 {
-                // A valley takes the next panel above one that faces up.
-                let (valley, above) = (sides >> crease & 1 == 1, place(crease + 1) > place(crease));
-                assert_eq!(above, valley == crease.is_multiple_of(2), "creases {order:?} to {sides:b}: {layers:?}");
-            }
-            found.insert(layers);
-        }
-    }
-    (found, blocked)
+    let ways =
+        permutations(&creases).into_iter().flat_map(|order| (0..1 << (panels - 1)).map(move |s| (order.clone(), s)));
+    let came = ways.map(|(order, sides)| order_by_steps(panels, (&order, sides), &ContactRelax::default()));
+    let (folded, blocked): (Vec<_>, Vec<_>) = came.partition(Option::is_some);
+    (folded.into_iter().flatten().collect(), blocked.len())
 }
 
 /// All orders in which a strip of so many squares can lie.
@@ -199,20 +201,28 @@ fn a_map_of_three_squares_comes_to_lie_in_every_order() {
     }
 }
 
-/// Of a map of squares a panel that is tucked into two pockets, one in the other, has no room: its edges come to lie in the folds.
-/// Such a fold ends blocked, and is told as that; no other order comes of it.
 #[test]
-#[ignore = "seconds: 432 ways to fold strips of four and five"]
-fn a_map_of_more_squares_lies_in_the_order_told_or_is_blocked() {
-    let (four, blocked) = orders_by_steps(4);
-    let missing: Vec<Vec<u32>> = all_orders(4).difference(&four).cloned().collect();
-    let spirals = [[0, 2, 3, 1], [1, 3, 2, 0], [2, 0, 1, 3], [3, 1, 0, 2]].map(|order| order.to_vec());
-    println!("4: {} orders, {blocked} ways blocked", four.len());
-    assert!(missing.iter().all(|order| spirals.contains(order)), "{missing:?}");
-    let (five, blocked) = orders_by_steps(5);
+#[ignore = "a second: 48 ways to fold a strip of four"]
+fn a_map_of_four_squares_comes_to_lie_in_every_order() {
+    assert_eq!(orders_by_steps(4), (all_orders(4), 0));
+}
+
+/// Of five squares rolled up the last is tucked into three pockets, one in the other. With the gap and the stiffness that are taken if
+/// nothing is said such a fold ends blocked; in a narrower gap that pushes back harder it closes, or not: little decides.
+#[test]
+#[ignore = "seconds: 384 ways to fold a strip of five"]
+fn a_map_of_five_squares_comes_to_lie_in_every_order() {
+    let (mut five, blocked) = orders_by_steps(5);
     println!("5: {} orders, {blocked} ways blocked", five.len());
-    println!("{:?}", all_orders(5).difference(&five).collect::<Vec<_>>());
-    assert!(five.len() >= 20, "{five:?}");
+    let rolls = [[0, 2, 4, 3, 1], [1, 3, 4, 2, 0], [3, 1, 0, 2, 4], [4, 2, 0, 1, 3]].map(|order| order.to_vec());
+    let missing: Vec<Vec<u32>> = all_orders(5).difference(&five).cloned().collect();
+    assert!(missing.iter().all(|order| rolls.contains(order)), "{missing:?}");
+    let hard = Contact { gap: 1.8e-4, stiffness: 1.8e4, ..Contact::default() };
+    let hard = ContactRelax { contact: hard, ..ContactRelax::default() };
+    for creases in [[0, 1, 2, 3], [3, 2, 1, 0]] {
+        five.extend([0, 0b1111].map(|sides| order_by_steps(5, (&creases, sides), &hard)).into_iter().flatten());
+    }
+    assert_eq!(five, all_orders(5));
 }
 
 /// Where layers pressed for hundreds of evaluations, edges 4e-9 radii apart once went through each other: by what rounding does

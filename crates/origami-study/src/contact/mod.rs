@@ -8,6 +8,7 @@ mod accordions;
 mod agreement;
 mod asked;
 mod found;
+mod maps;
 mod narrowed;
 mod report;
 mod row;
@@ -36,7 +37,7 @@ const QUICK_VERTICES: usize = 60;
 type Kind = (&'static str, fn(bool) -> Result<Found, StudyError>);
 const KINDS: [Kind; 5] = [
     ("flaps", strips::told),
-    ("maps", strips::maps),
+    ("maps", maps::maps),
     ("accordions", accordions::study),
     ("narrowed bird base", narrowed::study),
     ("what nothing touches", untouched::study),

@@ -1,6 +1,5 @@
-//! Strips of panels, folded crease after crease: what lies under what is what was folded first.
-
-use std::collections::BTreeSet;
+//! Strips of panels, folded crease after crease: what lies under what is what was folded first. Here letters and flaps; maps are in
+//! [`super::maps`].
 
 use origami_core::contact::Contact;
 use origami_core::fold::Document;
@@ -20,7 +19,7 @@ use crate::table::{Column, Table, column};
 const CLOSED: f64 = 5.0;
 
 /// A strip of panels of these widths, which are its faces in turn. Edge k is the crease after panel k.
-fn strip(widths: &[f64]) -> Result<Model, StudyError> {
+pub(super) fn strip(widths: &[f64]) -> Result<Model, StudyError> {
     let mut ends = vec![0.0];
     widths.iter().for_each(|width| ends.push(ends[ends.len() - 1] + width));
     let vertices: Vec<[f64; 2]> = ends.iter().flat_map(|x| [[*x, 0.0], [*x, 1.0]]).collect();
@@ -39,7 +38,7 @@ fn strip(widths: &[f64]) -> Result<Model, StudyError> {
 }
 
 /// Folds a strip by steps: the creases of each, and how far each is folded, in degrees.
-fn fold(model: &Model, steps: &[&[(usize, f64)]]) -> Option<Watched> {
+pub(super) fn fold(model: &Model, steps: &[&[(usize, f64)]], contact: Contact) -> Option<Watched> {
     let mut targets = vec![0.0; model.creases.len()];
     let stages = steps.iter().map(|step| {
         for (crease, degrees) in *step {
@@ -50,12 +49,12 @@ fn fold(model: &Model, steps: &[&[(usize, f64)]]) -> Option<Watched> {
         Scene::new(Targets::angles(targets.clone()))
     });
     let stages: Vec<Scene> = stages.collect();
-    watched(model, &solver(Relax::default().perturbation, Contact::default()), &stages).ok()
+    watched(model, &solver(Relax::default().perturbation, contact), &stages).ok()
 }
 
 /// The panels of a strip from the bottom to the top, where up is where panel `base` faced when it was flat: each lies on as many
 /// others as are below it. `None` where they are not folded flat, or some two do not tell.
-fn layers(model: &Model, state: &State, panels: usize, base: usize) -> Option<Vec<usize>> {
+pub(super) fn layers(model: &Model, state: &State, panels: usize, base: usize) -> Option<Vec<usize>> {
     let orders = face_orders(model, &state.positions, &state.fold_angles)?;
     let mut below = vec![0; panels];
     for FaceOrder { faces, side } in &orders {
@@ -96,7 +95,7 @@ pub(super) fn told(_: bool) -> Result<Found, StudyError> {
     let (left, right) = ((0, 180.0), (1, 180.0));
     let mut table = Table::new(COLUMNS);
     let mut add = |what: &str, model: &Model, steps: &[&[(usize, f64)]]| {
-        let came = fold(model, steps)?;
+        let came = fold(model, steps, Contact::default())?;
         let order = layers(model, &came.folded.state, 3, 1);
         let named = |order: &Vec<usize>| order.iter().map(ToString::to_string).collect::<Vec<String>>().join(" ");
         table.push(vec![
@@ -142,121 +141,3 @@ pub(super) fn told(_: bool) -> Result<Found, StudyError> {
 
 const TOLD: &str = "Strips of three panels, both creases valleys, to 180 degrees: a letter of equal panels, and two flaps of 0.8 that \
     overlap in the middle.";
-
-const MAP_COLUMNS: &[Column] = &[
-    column("squares", "squares", "of the strip"),
-    column("orders", "orders", "in which it can lie, sequence A000136 of the OEIS"),
-    column("reached", "reached", "those of them that came of some way"),
-    column("ways", "ways", "to fold one crease after the other, each to either side"),
-    column("as_told", "as told", "those that converge, with each crease to its side"),
-    column("blocked", "blocked", "those that end so"),
-    column("otherwise", "otherwise", "those that end in any other way"),
-    column("crossings", "crossings", "of all of them, at every tenth evaluation and at the ends"),
-];
-
-/// Maps of one row.
-pub(super) fn maps(quick: bool) -> Result<Found, StudyError> {
-    let mut table = Table::new(MAP_COLUMNS);
-    let (mut all, mut reached, mut otherwise, mut crossed) = (0, 0, 0, 0);
-    for squares in 2..=if quick { 3 } else { 4 } {
-        let map = Map::fold_in_all_ways(squares)?;
-        let orders = permutations(&(0..squares).collect::<Vec<_>>()).iter().filter(|order| is_valid(order)).count();
-        table.push(vec![
-            squares.into(),
-            orders.into(),
-            map.orders.len().into(),
-            map.ways.into(),
-            map.as_told.into(),
-            map.blocked.into(),
-            (map.ways - map.as_told - map.blocked).into(),
-            map.crossings.into(),
-        ]);
-        (all, reached) = (all + orders, reached + map.orders.len());
-        (otherwise, crossed) = (otherwise + map.ways - map.as_told - map.blocked, crossed + map.crossings);
-    }
-    let asked = vec![
-        Asked::that("maps: orders reached", format!("all {all}"), reached.to_string(), reached == all),
-        Asked::that(
-            "maps: no other order, no crossing",
-            "none",
-            format!("{otherwise}, {crossed}"),
-            otherwise + crossed == 0,
-        ),
-    ];
-    Ok(Found::one("Maps of one row", MAPS, ("contact-maps", table), asked))
-}
-
-const MAPS: &str = "Strips of squares, folded one crease after the other, in all orders of the creases and each to both sides. A panel \
-    that is to be tucked into two pockets, one in the other, has no room, and such ways end blocked.";
-
-/// What came of all ways to fold a strip of squares.
-#[derive(Default)]
-struct Map {
-    orders: BTreeSet<Vec<usize>>,
-    ways: usize,
-    as_told: usize,
-    blocked: usize,
-    crossings: usize,
-}
-
-impl Map {
-    fn fold_in_all_ways(squares: usize) -> Result<Self, StudyError> {
-        let model = strip(&vec![1.0; squares])?;
-        let mut map = Self::default();
-        for creases in permutations(&(0..squares - 1).collect::<Vec<_>>()) {
-            for sides in 0..1_usize << (squares - 1) {
-                let is_valley = |crease: usize| sides >> crease & 1 == 1;
-                let steps = creases.iter().map(|crease| [(*crease, if is_valley(*crease) { 180.0 } else { -180.0 })]);
-                let steps: Vec<[(usize, f64); 1]> = steps.collect();
-                let steps: Vec<&[(usize, f64)]> = steps.iter().map(<[_; 1]>::as_slice).collect();
-                map.ways += 1;
-                let Some(came) = fold(&model, &steps) else { continue };
-                map.crossings += came.crossings;
-                map.blocked += usize::from(came.stop() == "blocked");
-                let Some(order) = layers(&model, &came.folded.state, squares, 0) else { continue };
-                let place = |panel: usize| order.iter().position(|own| *own == panel);
-                // A valley takes the next panel above one that faces up.
-                let is_told = |crease: usize| {
-                    (place(crease + 1) > place(crease)) == (is_valley(crease) == crease.is_multiple_of(2))
-                };
-                if came.stop() == "converged" && is_valid(&order) && (0..squares - 1).all(is_told) {
-                    map.as_told += 1;
-                    map.orders.insert(order);
-                }
-            }
-        }
-        Ok(map)
-    }
-}
-
-/// Whether a strip of squares can lie in layers in this order, from the bottom to the top: no crease lies within another on its
-/// side. (S. Legendre, Foldings and meanders, Australas. J. Combin. 58 (2014).)
-fn is_valid(order: &[usize]) -> bool {
-    let place = |panel: usize| order.iter().position(|own| *own == panel).unwrap_or_default();
-    let crease = |i: usize| [place(i).min(place(i + 1)), place(i).max(place(i + 1))];
-    let within = |[a, b]: [usize; 2], [c, d]: [usize; 2]| a < c && c < b && b < d;
-    let meet = |i: usize, j: usize| within(crease(i), crease(j)) || within(crease(j), crease(i));
-    (0..order.len() - 1).all(|i| (i + 2..order.len() - 1).step_by(2).all(|j| !meet(i, j)))
-}
-
-fn permutations(of: &[usize]) -> Vec<Vec<usize>> {
-    if of.is_empty() {
-        return vec![Vec::new()];
-    }
-    let with = |first: usize| {
-        let rest: Vec<usize> = of.iter().copied().filter(|own| *own != first).collect();
-        permutations(&rest).into_iter().map(move |tail| [vec![first], tail].concat())
-    };
-    of.iter().flat_map(|first| with(*first)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn valid_orders_are_as_many_as_are_known() {
-        let count = |n: usize| permutations(&(0..n).collect::<Vec<_>>()).iter().filter(|order| is_valid(order)).count();
-        assert_eq!([2, 3, 4, 5, 6].map(count), [2, 6, 16, 50, 144], "sequence A000136 of the OEIS");
-    }
-}

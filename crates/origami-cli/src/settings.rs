@@ -10,7 +10,9 @@ use origami::solve::Newton;
 use origami::solve::{Dynamics, Failed, Integrator, Precision, Reflect, Relax, Solver, State, TimeStep, time_step};
 use origami::{CreasePattern, Warning, measure};
 
-use crate::args::{BackendName, FoldArgs, IntegratorName, PrecisionName, SequenceSource, SolverName, SolvingArgs};
+use crate::args::{
+    BackendName, ContactArgs, FoldArgs, IntegratorName, PrecisionName, SequenceSource, SolverName, SolvingArgs,
+};
 use crate::backend::{Backend, Method};
 use crate::draw::{Film, Style};
 use crate::files::Format;
@@ -221,6 +223,8 @@ fn refuse_for_stepwise(args: &FoldArgs) -> Result<bool, String> {
 pub(crate) struct AskedContact {
     /// In radii.
     gap: Option<f64>,
+    /// In the model's unit of force per radius.
+    stiffness: Option<f64>,
     /// In the file's unit.
     pub(crate) thickness: Option<f64>,
 }
@@ -230,13 +234,14 @@ impl AskedContact {
     pub(crate) fn of(self, model: &Model) -> Contact {
         let thick = |thickness| Contact::thick(thickness / model.normalisation.radius);
         let contact = self.thickness.map_or_else(Contact::default, thick);
-        Contact { gap: self.gap.unwrap_or(contact.gap), ..contact }
+        let (gap, stiffness) = (self.gap.unwrap_or(contact.gap), self.stiffness.unwrap_or(contact.stiffness));
+        Contact { gap, stiffness, ..contact }
     }
 }
 
 fn contact(args: &FoldArgs) -> Option<AskedContact> {
-    let asked = AskedContact { gap: args.contact.contact_gap, thickness: args.contact.thickness };
-    args.contact.keeps_apart().then_some(asked)
+    let ContactArgs { contact_gap: gap, contact_stiffness: stiffness, thickness, .. } = args.contact;
+    args.contact.keeps_apart().then_some(AskedContact { gap, stiffness, thickness })
 }
 
 /// The material of a solver: the paper's motion has the paper's springs.

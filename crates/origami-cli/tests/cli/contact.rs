@@ -204,6 +204,23 @@ fn dynamics_goes_under_contact_too() {
     assert!(report["contact"]["least_gap"].is_number(), "{report}");
 }
 
+#[test]
+fn layers_keep_more_of_a_stiffer_gap() {
+    let place = Place::new();
+    place.run("pattern bird-base -o base.fold").succeeds();
+    let least = |options: &str| {
+        place.run(&format!("fold base.fold {options} -o b.fold --report r.json")).succeeds();
+        let report = place.json("r.json");
+        assert_eq!(report["stop"], json!("converged"));
+        report["contact"]["least_gap"].as_f64().expect("contact")
+    };
+    let [softer, usual, stiffer] = ["--contact-stiffness 5", "--contact", "--contact-stiffness 500"].map(least);
+    assert!(1.2 * softer < usual && 1.2 * usual < stiffer, "{softer} {usual} {stiffer}");
+    place
+        .run("fold base.fold --contact-stiffness 0 -o b.fold")
+        .fails(1, "--contact-stiffness 0: expected a finite number greater than 0");
+}
+
 /// A film of a sequence has its steps; thick paper is a plate for each face, and its order is told though it is not thin.
 #[cfg(feature = "render")]
 #[test]

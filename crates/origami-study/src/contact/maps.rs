@@ -2,12 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use origami_core::Model;
 use origami_core::contact::Contact;
+use origami_core::glam::DVec3;
+use origami_core::ids::VertexId;
+use origami_core::{Model, State};
 
 use super::asked::Asked;
 use super::found::Found;
-use super::strips::{fold, layers, strip};
+use super::strips::{fold, strip};
 use crate::StudyError;
 use crate::table::{Column, Table, column};
 
@@ -126,7 +128,7 @@ impl Map {
         self.crossings += came.crossings;
         let is_blocked = came.stop() == "blocked";
         folds.blocked += usize::from(is_blocked);
-        let Some(order) = layers(model, &came.folded.state, squares, 0) else { return is_blocked };
+        let Some(order) = stack(model, &came.folded.state, squares) else { return is_blocked };
         let place = |panel: usize| order.iter().position(|own| *own == panel);
         // A valley takes the next panel above one that faces up.
         let is_told =
@@ -137,6 +139,44 @@ impl Map {
         }
         is_blocked
     }
+}
+
+/// The squares of a strip that lies closed from the bottom to the top, where up is where the first faced when it was flat. Of two squares
+/// the one is higher whose surface is, where the middle of a triangle of the one is above the other. `None` where some two do not
+/// tell.
+fn stack(model: &Model, state: &State, squares: usize) -> Option<Vec<usize>> {
+    let at = |vertex: u32| Some(state.positions[model.node(VertexId(vertex))?.index()]);
+    let x = (at(2)? - at(0)?).normalize();
+    let up = x.cross(at(1)? - at(0)?).normalize();
+    let y = up.cross(x);
+    let seen = |p: DVec3| DVec3::new(p.dot(x), p.dot(y), p.dot(up));
+    let triangles_of = |square: usize| -> Vec<[DVec3; 3]> {
+        let corners = 2 * square..2 * square + 4;
+        let own = model.mesh.triangles.iter();
+        let own =
+            own.filter(|nodes| nodes.iter().all(|n| corners.contains(&model.mesh.vertex_of_node[n.index()].index())));
+        own.map(|nodes| nodes.map(|n| seen(state.positions[n.index()]))).collect()
+    };
+    let all: Vec<Vec<[DVec3; 3]>> = (0..squares).map(triangles_of).collect();
+    // How high a triangle is at a place within it.
+    let height = |[a, b, c]: [DVec3; 3], p: DVec3| {
+        let cross = |u: DVec3, v: DVec3| u.x * v.y - u.y * v.x;
+        let (v, w) = (cross(p - a, c - a) / cross(b - a, c - a), cross(b - a, p - a) / cross(b - a, c - a));
+        (v >= 0.0 && w >= 0.0 && v + w <= 1.0).then_some(a.z + v * (b.z - a.z) + w * (c.z - a.z))
+    };
+    let mut below = vec![0; squares];
+    for one in 0..squares {
+        for other in 0..one {
+            let [a, b, c] = *all[one].first()?;
+            let middle = (a + b + c) / 3.0;
+            let z = all[other].iter().find_map(|triangle| height(*triangle, middle))?;
+            below[if middle.z > z { one } else { other }] += 1;
+        }
+    }
+    let mut order: Vec<usize> = (0..squares).collect();
+    order.sort_by_key(|square| below[*square]);
+    let is_stack = order.iter().enumerate().all(|(place, square)| below[*square] == place);
+    is_stack.then_some(order)
 }
 
 /// Whether a strip of squares can lie in layers in this order, from the bottom to the top: no crease lies within another on its

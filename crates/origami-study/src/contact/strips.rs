@@ -54,7 +54,7 @@ pub(super) fn fold(model: &Model, steps: &[&[(usize, f64)]], contact: Contact) -
 
 /// The panels of a strip from the bottom to the top, where up is where panel `base` faced when it was flat: each lies on as many
 /// others as are below it. `None` where they are not folded flat, or some two do not tell.
-pub(super) fn layers(model: &Model, state: &State, panels: usize, base: usize) -> Option<Vec<usize>> {
+fn layers(model: &Model, state: &State, panels: usize, base: usize) -> Option<Vec<usize>> {
     let orders = face_orders(model, &state.positions, &state.fold_angles)?;
     let mut below = vec![0; panels];
     for FaceOrder { faces, side } in &orders {

@@ -48,7 +48,8 @@ pub(super) struct Plane {
     /// How far each is behind the front of its thing.
     room: [f64; 4],
     distance: f64,
-    /// What may be used up of the gap.
+    /// Whether something lies between for sure, as far as rounding goes, and what may be used up of the gap.
+    certain: bool,
     usable: f64,
     /// The shares that are left as long as it stands still.
     pub(super) standing: [f64; 4],
@@ -75,11 +76,12 @@ impl Plane {
             up: by.map(|by| by.dot(slab.normal)),
             room: slab.room,
             distance,
+            certain: slab.between > 0.0,
             usable: USABLE * (slab.between - pair.closed - (floor * pair.width).max(LEAST)).max(0.0),
             standing: [0.0; 4],
         };
-        // Where rounding hides what lies between, nothing moves.
-        if slab.between > 0.0 {
+        // Else nothing moves.
+        if plane.certain {
             plane.standing = plane.stand();
             if plane.standing == [1.0; 4] {
                 return None;
@@ -102,8 +104,8 @@ impl Plane {
             .map(|thing| thing.map(|i| by(i) - self.room[i]).fold(f64::NEG_INFINITY, f64::max))
     }
 
-    /// The shares of whole moves that keep each node on its side of a plane that stands still. What lies between is shared out as the
-    /// things would use it.
+    /// The shares of whole moves that keep each node on its side of a plane that stands still. What lies between is shared out
+    /// as the things would use it.
     fn stand(&self) -> [f64; 4] {
         let advance = |i: usize| -self.away(i) * self.up[i];
         let beyond = self.beyond(advance).map(|by| by.max(0.0));
@@ -121,12 +123,13 @@ impl Plane {
     }
 
     /// What these shares of the moves use up of the gap, as a plane sees it that moves and turns along with them; infinite
-    /// where it would turn far.
+    /// where it would turn far, or nothing is certain.
     ///
     /// By the end of the move it has risen by `rise + slope . x` at the place x: by as much as the nodes there, but for what the
     /// nearest points have come nearer to each other, half of it each. Four places of which the nearest points are one are so met
-    /// exactly. A node at x that moves by v along the plane is above it, at the time t from 0 to 1, by h + t (up - rise - slope . x) - t² slope . v:
-    /// never less than where it was but for what is counted here. A plane that has turned is nearer than it is below or above.
+    /// exactly. A node at x that moves by v along the plane is above it, at the time t from 0 to 1, by
+    /// `h + t (up - rise - slope . x) - t^2 slope . v`: never less than h but for what is counted here. A plane that has turned is
+    /// nearer than it is below or above.
     fn used(&self, shares: [f64; 4]) -> f64 {
         let ups: [f64; 4] = std::array::from_fn(|i| shares[i] * self.up[i]);
         let nearer = -(0..4).map(|i| self.weights[i] * ups[i]).sum::<f64>();
@@ -142,7 +145,7 @@ impl Plane {
         let (area, extent) = (xx * yy - xy * xy, xx + yy);
         let slope = DVec2::new(yy * towards.x - xy * towards.y, xx * towards.y - xy * towards.x) / area;
         let tilt = slope.length();
-        if area.is_nan() || area <= FLAT * extent * extent || tilt > MOST_TILT {
+        if !self.certain || area.is_nan() || area <= FLAT * extent * extent || tilt > MOST_TILT {
             return f64::INFINITY;
         }
         let beyond = self.beyond(|i| {
@@ -153,8 +156,8 @@ impl Plane {
         beyond[0] + beyond[1] + 0.5 * tilt * tilt * self.distance
     }
 
-    /// The shares to go on with: these if they are free; else all less by as much as they use too much, or those that a plane leaves
-    /// that stands still, which are free whatever others do, the kinder of both.
+    /// The shares to go on with: these if they are free; else all less by as much as they use too much, or those that a plane
+    /// leaves that stands still, which are free whatever others do, the kinder of both.
     pub(super) fn wanted(&self, shares: [f64; 4]) -> [f64; 4] {
         if self.stands_for(shares) {
             return shares;
@@ -215,90 +218,4 @@ impl Slab {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::contact::distance::{of_edges, of_point_and_triangle};
-
-    /// Numbers from -1 to 1, by a fixed sequence.
-    fn noise(seed: u64) -> impl FnMut() -> f64 {
-        let mut state = seed;
-        move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            f64::from(u32::try_from(state >> 32).expect("32 bits")) / f64::from(1_u32 << 31) - 1.0
-        }
-    }
-
-    fn pair(split: usize, closed: f64) -> Pair {
-        Pair { nodes: [0, 1, 2, 3].map(NodeId), split, closed, width: 0.05, eased: 0.0 }
-    }
-
-    /// Two things near each other, and moves: of both alike, by turning and shifting them, and a little of each node's own.
-    fn case(split: usize, seed: u64) -> ([DVec3; 4], [DVec3; 4]) {
-        let mut next = noise(seed);
-        let mut vector = || DVec3::new(next(), next(), next());
-        let (turn, shift) = (vector(), vector());
-        let at: [DVec3; 4] = std::array::from_fn(|i| {
-            let place = vector() * DVec3::new(1.0, 1.0, 0.01);
-            if i < split { place + 0.03 * DVec3::Z } else { place }
-        });
-        (at, at.map(|at| 0.05 * (turn.cross(at) + shift) + 0.01 * vector()))
-    }
-
-    /// The least distance on the way of these shares of the moves.
-    fn least(split: usize, at: [DVec3; 4], by: [DVec3; 4], shares: [f64; 4]) -> f64 {
-        let distance = |t: f64| {
-            let points = std::array::from_fn(|i| at[i] + t * shares[i] * by[i]);
-            let nearest = if split == 1 { of_point_and_triangle(&points) } else { of_edges(&points) };
-            nearest.apart.length()
-        };
-        (0..=200).map(|i| distance(f64::from(i) / 200.0)).fold(f64::INFINITY, f64::min)
-    }
-
-    #[test]
-    fn no_pair_uses_up_more_of_its_gap_than_it_may() {
-        let (mut shortened, mut whole, mut would) = (0, 0, 0);
-        for (split, seed) in [1, 2].into_iter().flat_map(|split| (0..2000).map(move |seed| (split, seed))) {
-            let (at, by) = case(split, seed);
-            let distance = least(split, at, by, [0.0; 4]);
-            for closed in [0.0, 0.9 * distance] {
-                let pair = pair(split, closed);
-                let near = pair.near(0, &at);
-                let Some(plane) = Plane::new(&pair, &near, FLOOR, (&at, &by)) else { continue };
-                let most = 1.001 * USABLE * near.gap;
-                let mut shares = [1.0; 4];
-                while !plane.is_free(shares) {
-                    shares = plane.wanted(shares);
-                }
-                let kept = |shares| distance - least(split, at, by, shares) <= most;
-                assert!(kept(shares), "{split} {seed}, closed at {closed}: {shares:?}");
-                assert!(kept(plane.standing), "{split} {seed}, closed at {closed}: {:?} standing", plane.standing);
-                #[cfg(feature = "newton")]
-                for share in [1.0, 0.4] {
-                    assert!(kept([share * plane.alike(); 4]), "{split} {seed}, closed at {closed}: alike");
-                }
-                would += usize::from(!kept([1.0; 4]));
-                if shares == [1.0; 4] { whole += 1 } else { shortened += 1 }
-            }
-        }
-        assert!(shortened > 500 && whole > 500 && would > 300, "{shortened} {whole} {would}");
-    }
-
-    #[test]
-    fn what_turns_together_goes_on_and_what_comes_nearer_does_not() {
-        let at = [-DVec3::X, DVec3::X, DVec3::new(0.0, -1.0, -1e-3), DVec3::new(0.0, 1.0, -1e-3)];
-        let turned = at.map(|at| 0.02 * DVec3::new(0.6, 0.8, 0.0).cross(at) - 5e-3 * DVec3::Z);
-        let (pair, shares) = (pair(2, 0.0), [1.0; 4]);
-        let plane = |by: &[DVec3; 4]| Plane::new(&pair, &pair.near(0, &at), FLOOR, (&at, by)).expect("in the way");
-        let least = |of: [f64; 4]| of.into_iter().fold(1.0, f64::min);
-        let together = plane(&turned);
-        assert!(together.is_free(shares) && least(together.standing) < 0.1, "{:?}", together.standing);
-        // The one behind comes nearer by twice what it may.
-        let nearer = [0, 1, 2, 3].map(|i| turned[i] + if i < 2 { -1e-3 * DVec3::Z } else { DVec3::ZERO });
-        let nearer = plane(&nearer);
-        assert!(!nearer.is_free(shares));
-        let wanted = nearer.wanted(shares);
-        assert!(least(wanted) > 0.4 && least(wanted) < 0.6, "{wanted:?}");
-        // And where one stays back, the other does not go on through it.
-        assert!(!together.is_free([1.0, 1.0, 0.0, 0.0]));
-    }
-}
+mod tests;

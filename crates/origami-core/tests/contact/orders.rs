@@ -207,8 +207,9 @@ fn a_map_of_four_squares_comes_to_lie_in_every_order() {
     assert_eq!(orders_by_steps(4), (all_orders(4), 0));
 }
 
-/// Of five squares rolled up the last is tucked into three pockets, one in the other. With the gap and the stiffness that are taken if
-/// nothing is said such a fold ends blocked; in a narrower gap that pushes back harder it closes, or not: little decides.
+/// Of five squares rolled up the last is tucked into three pockets, one in the other. With the gap and the stiffness that are
+/// taken if nothing is said such a fold ends blocked; in a narrower gap that pushes back harder it closes, or not: little
+/// decides.
 #[test]
 #[ignore = "seconds: 384 ways to fold a strip of five"]
 fn a_map_of_five_squares_comes_to_lie_in_every_order() {

@@ -13,8 +13,8 @@ use super::strips::{fold, strip};
 use crate::StudyError;
 use crate::table::{Column, Table, column};
 
-/// What ends blocked is folded again so. A roll of five squares, of which the last is tucked into three pockets, one in the other, closes
-/// in it; little more or less of either, and it does not.
+/// What ends blocked is folded again so. A roll of five squares, of which the last is tucked into three pockets, one in the
+/// other, closes in it; little more or less of either, and it does not.
 const HARD: Contact = Contact { gap: 1.8e-4, thickness: 0.0, stiffness: 1.8e4 };
 
 const COLUMNS: &[Column] = &[
@@ -75,9 +75,9 @@ pub(super) fn maps(quick: bool) -> Result<Found, StudyError> {
     Ok(Found::one("Maps of one row", MAPS, ("contact-maps", table), asked))
 }
 
-const MAPS: &str = "Strips of squares, folded one crease after the other, in all orders of the creases and each to both sides. Ways that end \
-    blocked are folded again in a narrower gap that pushes back harder. A roll of five squares has its last one in three pockets, one in the \
-    other: it is blocked with the defaults, and whether it closes at all hangs on little.";
+const MAPS: &str = "Strips of squares, folded one crease after the other, in all orders of the creases and each to both sides. Ways \
+    that end blocked are folded again in a narrower gap that pushes back harder. A roll of five squares has its last one in three \
+    pockets, one in the other: it is blocked with the defaults, and whether it closes at all hangs on little.";
 
 /// What came of ways to fold a strip of squares.
 #[derive(Default)]
@@ -141,9 +141,9 @@ impl Map {
     }
 }
 
-/// The squares of a strip that lies closed from the bottom to the top, where up is where the first faced when it was flat. Of two squares
-/// the one is higher whose surface is, where the middle of a triangle of the one is above the other. `None` where some two do not
-/// tell.
+/// The squares of a strip that lies closed from the bottom to the top, where up is where the first faced when it was flat. Of
+/// two squares the one is higher whose surface is, where the middle of a triangle of the one is above the other. `None` where
+/// some two do not tell.
 fn stack(model: &Model, state: &State, squares: usize) -> Option<Vec<usize>> {
     let at = |vertex: u32| Some(state.positions[model.node(VertexId(vertex))?.index()]);
     let x = (at(2)? - at(0)?).normalize();

@@ -6,8 +6,8 @@ use super::super::limit::{Plane, WITHIN};
 use super::Layers;
 use crate::ids::NodeId;
 
-/// So often all planes that are asked for too much let their nodes go on more slowly alike; then so often each of them stands still;
-/// and then they all do, which is free whatever others do. More: fewer moves are shortened far, and each is dearer.
+/// So often all planes that are asked for too much let their nodes go on more slowly alike; then so often each of them stands
+/// still; and then they all do, which is free whatever others do. More: fewer moves are shortened far, and each is dearer.
 const ALIKE: usize = 4;
 const STANDING: usize = 8;
 

@@ -1,10 +1,10 @@
 //! What moves under contact: a mass of each node, but for pairs that press hard.
 //!
 //! The mass of a node is a bound on its row of the stiffness matrix, so that each moves at its own local step. A pair that is
-//! pressed together is a thousand times stiffer than springs, and only across: nodes that were as heavy as that would hardly turn
-//! or slide. So its stiffness is taken whole: masses are D + sum of k u u^T, a number for each node and a vector u over the nodes of each
-//! such pair. Forces are divided by that as by numbers, after what the pairs hold back of them has been taken off
-//! (the formula of Sherman, Morrison and Woodbury).
+//! pressed together is a thousand times stiffer than springs, and only across: nodes that were as heavy as that would hardly
+//! turn or slide. So its stiffness is taken whole: masses are D + sum of k u u^T, a number for each node and a vector u over
+//! the nodes of each such pair. Forces are divided by that as by numbers, after what the pairs hold back of them has been taken
+//! off (the formula of Sherman, Morrison and Woodbury).
 
 use glam::DVec3;
 

@@ -193,7 +193,7 @@ codes! {
         SinglePrecision = "single-precision",
         /// A sheet that came to rest strained.
         StrainedAtRest = "strained-at-rest",
-        /// A sheet that came to rest without strain, with a crease far from its angle.
+        /// A sheet that came to rest with a crease far from its angle: at 100 % without strain, at any other percentage very far.
         CreaseOffTarget = "crease-off-target",
         /// A crease that ends inside a face, and is far from its angle for it.
         OpenCrease = "open-crease",

@@ -32,9 +32,9 @@ pub fn scene_warnings(model: &Model, percents: &[f64]) -> Vec<Warning> {
 }
 
 /// Warnings about the state that a solver came to: a sheet strained at rest ([`strained_at_rest`]), creases that are far from
-/// their angles though nothing is strained ([`WarningCode::CreaseOffTarget`]) or end inside a face
-/// ([`WarningCode::OpenCrease`]), triangles that were crushed to lines ([`WarningCode::CrushedTriangle`]) and those that are
-/// kept from it ([`WarningCode::SqueezedTriangle`]).
+/// their angles though nothing is strained, or very far from them short of 100 % ([`WarningCode::CreaseOffTarget`]) or end
+/// inside a face ([`WarningCode::OpenCrease`]), triangles that were crushed to lines ([`WarningCode::CrushedTriangle`]) and
+/// those that are kept from it ([`WarningCode::SqueezedTriangle`]).
 ///
 /// [`WarningCode::CreaseOffTarget`]: crate::error::WarningCode::CreaseOffTarget
 /// [`WarningCode::OpenCrease`]: crate::error::WarningCode::OpenCrease

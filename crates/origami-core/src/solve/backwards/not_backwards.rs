@@ -25,7 +25,10 @@ pub enum NotBackwards {
         crossings: Crossings,
     },
     /// It was embedded, and the sheet did not open from there.
-    #[error("the flat state was embedded, but did not open: a crease is {:.1} degrees from flat at the end", .off.to_degrees())]
+    #[error(
+        "the layers of the flat state were moved apart, but then the sheet was caught on itself before it lay open: a crease stayed \
+         {:.1} degrees from its angle in the open sheet, expected less than 0.1", .off.to_degrees()
+    )]
     Closed {
         /// The farthest that a crease is from its angle in the open sheet, in radians.
         off: f64,

@@ -95,7 +95,7 @@ impl Force for OrderForce {
             let Some(measured) = self.measure(relation, positions) else { continue };
             let lacking = self.gap - measured.gap;
             if lacking > 0.0 {
-                let force = measured.fading * STIFFNESS * lacking * measured.normal;
+                let force = relation.stiffer * measured.fading * STIFFNESS * lacking * measured.normal;
                 for (node, weight) in relation.nodes.iter().zip(measured.weights) {
                     forces[node.index()] += weight * force;
                 }
@@ -110,7 +110,8 @@ impl Force for OrderForce {
 
     fn energy(&self, positions: &[DVec3]) -> Option<f64> {
         let of_relation = |relation: &Relation| {
-            let lacking = |m: Measured| 0.5 * m.fading * STIFFNESS * (self.gap - m.gap).max(0.0).powi(2);
+            let stiffness = relation.stiffer * STIFFNESS;
+            let lacking = |m: Measured| 0.5 * m.fading * stiffness * (self.gap - m.gap).max(0.0).powi(2);
             self.measure(relation, positions).map_or(0.0, lacking)
         };
         let of_beside =
@@ -124,7 +125,7 @@ impl Force for OrderForce {
             if measured.gap < 2.0 * self.gap {
                 let all: f64 = measured.weights.iter().map(|w| w.abs()).sum();
                 for (node, weight) in relation.nodes.iter().zip(measured.weights) {
-                    sums[node.index()] += measured.fading * STIFFNESS * weight.abs() * all;
+                    sums[node.index()] += relation.stiffer * measured.fading * STIFFNESS * weight.abs() * all;
                 }
             }
         }

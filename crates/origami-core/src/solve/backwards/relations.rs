@@ -31,6 +31,17 @@ pub(super) struct Relation {
     pub(super) sign: f64,
     /// By node: whether paper folds around the end there: that of a side at the node, of a triangle the side opposite to it.
     pub(super) folded_around: [bool; 4],
+    /// How many times stiffer than others it is.
+    pub(super) stiffer: f64,
+}
+
+impl Relation {
+    /// Whether one of its things is of one triangle, and the other of the other.
+    pub(super) fn is_between(&self, one: [NodeId; 3], other: [NodeId; 3]) -> bool {
+        let (first, second) = self.nodes.split_at(self.split);
+        let are_of = |nodes: &[NodeId], corners: [NodeId; 3]| nodes.iter().all(|n| corners.contains(n));
+        are_of(first, one) && are_of(second, other) || are_of(first, other) && are_of(second, one)
+    }
 }
 
 impl Flat<'_> {
@@ -77,7 +88,7 @@ impl Flat<'_> {
         let [a, b, c, d] = nodes.map(|n| self.at(n));
         let up = if first.len() == 1 { (c - b).perp_dot(d - b) } else { (b - a).perp_dot(d - c) };
         let sign = if above { up.signum() } else { -up.signum() };
-        Some(Relation { nodes, split: first.len(), above, sign, folded_around: [false; 4] })
+        Some(Relation { nodes, split: first.len(), above, sign, folded_around: [false; 4], stiffer: 1.0 })
     }
 
     /// Paper folds around an end where the next triangle, or side, has the first thing on its other side.

@@ -10,6 +10,7 @@ use super::attempts::{ATTEMPTS, Attempt, Held, Run};
 use super::{Backwards, Motion, NotBackwards};
 use crate::contact::{Contact, Crossings};
 use crate::layers::Stacking;
+use crate::model::Model;
 use crate::scene::{Scene, Targets};
 
 /// A sheet is open if no crease is farther from its angle than this, in radians.
@@ -124,8 +125,10 @@ impl Run<'_> {
         for share in PRESSED {
             let Some(from) = pressed.last() else { break };
             let solver = self.in_contact(share);
-            let Ok(folded) = solver.fold(self.model, &from.state, &Scene::percent(100.0), observe) else { break };
+            let Ok(mut folded) = solver.fold(self.model, &from.state, &Scene::percent(100.0), observe) else { break };
             self.evaluations += folded.steps;
+            // It is a place on the way, however the press ended: the end is the exact flat state.
+            folded.stop = Stop::StepsDone;
             let off = self.off(&folded.state);
             pressed.push(folded);
             if off < way.off {
@@ -167,23 +170,25 @@ impl Run<'_> {
             Crossings::of(&self.model.mesh, &positions).is_empty()
         })
     }
+}
 
+impl Way {
     /// All states in the order in which they are folded.
-    pub(super) fn into_motion(self, way: Way, stacking: Stacking) -> Motion {
+    pub(super) fn into_motion(self, model: &Model, exact: Folded, stacking: Stacking, evaluations: u64) -> Motion {
         // The open sheet has been reached but for the tolerance of the solver.
         let rest = Folded {
-            state: State::at_rest(self.model),
+            state: State::at_rest(model),
             targets: Targets::percent(0.0),
             steps: 0,
             residual: 0.0,
             distance: 0.0,
-            ..self.exact.clone()
+            ..exact.clone()
         };
         let mut states = vec![rest];
-        states.extend(way.opened.into_iter().rev().skip(1));
-        let touching = states.len() + way.touching;
-        states.extend(way.closing);
-        states.push(self.exact);
-        Motion { states, touching, stacking, gap: way.gap, off: way.off, evaluations: self.evaluations }
+        states.extend(self.opened.into_iter().rev().skip(1));
+        let touching = states.len() + self.touching;
+        states.extend(self.closing);
+        states.push(exact);
+        Motion { states, touching, stacking, gap: self.gap, off: self.off, evaluations }
     }
 }

@@ -162,6 +162,7 @@ impl<'a> Run<'a> {
         self.force.beside = distinct(self.force.beside.iter().copied().chain(added).collect());
         self.force.beside.len() > before || !beside.is_empty()
     }
+
     /// Makes stiffer what keeps triangles in order that cross all the same; false where there is nothing.
     fn stiffen(&mut self, crossings: &Crossings) -> bool {
         let sides = &self.model.mesh.sides;

@@ -14,6 +14,7 @@ mod order_force;
 mod relations;
 mod way;
 
+use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use glam::{DVec2, DVec3};
@@ -82,7 +83,7 @@ pub struct Motion {
 
 impl Backwards {
     /// Finds the motion; under contact it has `stages` states after the sheet at rest, at least one. `observe` is shown how the solvers
-    /// get on; where it breaks, what is at hand is taken for the result of that solver.
+    /// get on; where it breaks, the best motion that has been found by then is taken.
     ///
     /// # Errors
     /// [`NotBackwards`], which tells what is in the way.
@@ -93,6 +94,12 @@ impl Backwards {
         observe: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Motion, NotBackwards> {
         let flat = Reflect { tolerance: CLOSED }.fold_from_rest(model, 100.0)?;
+        let stopped = Cell::new(false);
+        let observe = &mut |progress: Progress| {
+            let flow = observe(progress);
+            stopped.set(stopped.get() || flow.is_break());
+            flow
+        };
         let (mut failed, mut best, mut evaluations): (Option<NotBackwards>, Option<(Way, Stacking)>, u64) =
             (None, None, 0);
         for number in 0..ORDERS {
@@ -117,18 +124,19 @@ impl Backwards {
                     }
                     Err(why) => failed = Some(nearer(failed, why)),
                 }
-                if found == ENOUGH || run.is_over(best.as_ref()) {
+                if found == ENOUGH || run.is_over(best.as_ref()) || stopped.get() {
                     break;
                 }
             }
             evaluations = run.evaluations;
             // Where there is one order only, the second time is the last that differs.
-            if run.is_over(best.as_ref()) || (stacking.free.is_empty() && number > 0) {
+            if run.is_over(best.as_ref()) || stopped.get() || (stacking.free.is_empty() && number > 0) {
                 break;
             }
         }
         match best {
             Some((way, stacking)) => Ok(way.into_motion(model, flat, stacking, evaluations)),
+            None if stopped.get() => Err(NotBackwards::Stopped),
             None => Err(failed.unwrap_or(NotBackwards::Closed { off: f64::NAN })),
         }
     }
@@ -173,6 +181,13 @@ mod tests {
         let orders: Vec<Stacking> = (0..ORDERS).map(order).collect();
         assert!(orders.iter().any(|other| other.triangles != orders[0].triangles));
         assert!((0..ORDERS).map(order).eq(orders));
+    }
+
+    #[test]
+    fn who_breaks_off_is_told_that_nothing_was_found_yet() {
+        let model = model("miura", &squared(5.0));
+        let ended = Backwards::default().fold(&model, 2, &mut |_| ControlFlow::Break(()));
+        assert!(matches!(ended, Err(NotBackwards::Stopped)), "{ended:?}");
     }
 
     /// One crossing is left of this sheet in every attempt with its first order, where that does not get stiffer.

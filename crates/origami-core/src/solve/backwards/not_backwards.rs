@@ -18,6 +18,9 @@ pub enum NotBackwards {
         _ => "no order of the layers was found in the time that it may take",
     })]
     Order(NoOrder),
+    /// It was broken off.
+    #[error("stopped before a motion was found")]
+    Stopped,
     /// The flat-folded state could not be embedded.
     #[error("the flat state could not be embedded: {} left, {}", count(.crossings), faces(.crossings))]
     Embedded {

@@ -183,6 +183,15 @@ mod tests {
         assert!((0..ORDERS).map(order).eq(orders));
     }
 
+    /// How a press ended, blocked or not, is no matter of the motion, which ends exactly flat.
+    #[test]
+    fn states_of_a_press_are_places_on_the_way() {
+        let motion = Backwards::default().fold(&model("miura", &squared(6.0)), 4, &mut unwatched).unwrap();
+        let before_last = motion.states.len() - 2;
+        assert_eq!(motion.touching, before_last + 1, "it is pressed up to the flat state");
+        assert_eq!(motion.states[before_last].stop, Stop::StepsDone);
+    }
+
     #[test]
     fn who_breaks_off_is_told_that_nothing_was_found_yet() {
         let model = model("miura", &squared(5.0));

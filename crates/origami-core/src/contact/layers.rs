@@ -165,7 +165,7 @@ impl Layers {
         self.near.clear();
         let pushing = std::mem::take(&mut self.pushing);
         if !self.soon.is_due(bound) && !self.groups.is_due(bound) {
-            self.tasks.clear();
+            self.tasks.iter_mut().for_each(|task| task.stiff.clear());
             return &[];
         }
         let (farthest, takes) = (self.reach(), pushing > positions.len());

@@ -21,6 +21,8 @@ mod layers;
 mod limit;
 mod lips;
 mod list;
+#[cfg(test)]
+mod noise;
 mod pairs;
 mod pressing;
 mod settings;

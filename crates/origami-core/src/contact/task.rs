@@ -132,17 +132,24 @@ impl Task {
         seen
     }
 
+    /// The bound on the rows of pair `i` of a block, per weight, if it is not stiff; else it is kept as it is, and nothing is left.
+    #[inline(always)]
+    fn less_stiff(&mut self, i: usize, (nodes, weights): (&[NodeId; 4], [f64; 4]), bound: f64) -> f64 {
+        let Self { given, measured, stiff, .. } = self;
+        if measured.gap[i] >= STIFF * given.width[i] {
+            return bound;
+        }
+        stiff.push(Stiff { nodes: *nodes, weights, normal: measured.normal(i), stiffness: 0.5 * bound });
+        0.0
+    }
+
     /// Adds what pair `i` of a block does.
     #[inline(always)]
     fn add(&mut self, edges: bool, i: usize, nodes: &[NodeId; 4]) {
-        let Self { given, measured, push, felt, stiff, .. } = self;
+        let weights = [0, 1, 2, 3].map(|node| self.measured.weights[node][i]);
+        let stiffness = self.less_stiff(i, (nodes, weights), self.push.stiffness[i]);
+        let Self { measured, push, felt, .. } = self;
         let [x, y, z] = [push.force[0][i], push.force[1][i], push.force[2][i]];
-        let mut stiffness = push.stiffness[i];
-        if measured.gap[i] < STIFF * given.width[i] {
-            let weights = [0, 1, 2, 3].map(|node| measured.weights[node][i]);
-            stiff.push(Stiff { nodes: *nodes, weights, normal: measured.normal(i), stiffness: 0.5 * stiffness });
-            stiffness = 0.0;
-        }
         for (node, weights) in nodes.iter().zip(&measured.weights) {
             let weight = weights[i];
             let own = &mut felt[node.index()];

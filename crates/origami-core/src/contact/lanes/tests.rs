@@ -4,17 +4,9 @@ use glam::DVec3;
 
 use super::{Given, Measured, Push, WIDTH, measure_edges, measure_ends, measure_points, push};
 use crate::contact::distance::{Nearest, of_edges, of_point_and_triangle};
+use crate::contact::noise::noise;
 use crate::contact::pairs::{Near, Pair};
 use crate::ids::NodeId;
-
-/// Numbers from -1 to 1, by a fixed sequence.
-fn noise(seed: u64) -> impl FnMut() -> f64 {
-    let mut state = seed;
-    move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(state >> 32).expect("32 bits")) / f64::from(1_u32 << 31) - 1.0
-    }
-}
 
 /// Four points that are one by one of `from`, and so far apart.
 fn points(from: &mut impl FnMut() -> f64) -> [DVec3; 4] {

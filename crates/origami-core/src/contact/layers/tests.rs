@@ -4,20 +4,12 @@ mod stacked;
 
 use super::*;
 use crate::contact::Crossings;
+use crate::contact::noise::noise;
 use crate::generate::catalog;
 use crate::model::{Material, Model};
 
 fn model(name: &str) -> Model {
     Model::new(&catalog::generate(name, &[]).expect("a pattern"), &Material::default()).expect("a model")
-}
-
-/// Numbers from -1 to 1, by a fixed sequence.
-fn noise(seed: u64) -> impl FnMut() -> f64 {
-    let mut state = seed;
-    move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(state >> 32).expect("32 bits")) / f64::from(1_u32 << 31) - 1.0
-    }
 }
 
 /// A sheet crumpled at random, whose layers are near each other in every way.
@@ -181,7 +173,9 @@ fn a_list_that_lasts_is_as_good_as_a_new_one() {
     let model = model("miura");
     for gap in [0.01, 0.05] {
         let contact = Contact { gap, ..Contact::default() };
-        let mut layers = Layers::new(&model.mesh, &model.rest, contact, false);
+        // Gaps stay so wide that the rounding of positions is none of what is compared.
+        let begin = || Layers { floor: 1e-3, ..Layers::new(&model.mesh, &model.rest, contact, false) };
+        let mut layers = begin();
         let (mut next, mut positions) = (noise(5), model.rest.clone());
         let drift: Vec<DVec3> = positions.iter().map(|_| DVec3::new(next(), next(), next())).collect();
         let (mut lists, mut pushing) = (0, 0);
@@ -192,12 +186,12 @@ fn a_list_that_lasts_is_as_good_as_a_new_one() {
             let known = layers.listed_at.first().copied();
             let (felt, _) = felt(&mut layers, &positions);
             lists += usize::from(layers.listed_at.first().copied() != known);
-            let mut new = Layers::new(&model.mesh, &model.rest, contact, false);
+            let mut new = begin();
             let plain = plainly(&mut new, &positions);
             assert_eq!(layers.count(), new.count(), "step {step}");
             pushing += new.count();
             if !felt.is_empty() {
-                assert!(difference(&felt, &plain) < 1e-8, "step {step}: {}", difference(&felt, &plain));
+                assert!(difference(&felt, &plain) < 1e-9, "step {step}: {}", difference(&felt, &plain));
             }
             let shares = layers.limit(&positions, &moves).to_vec();
             assert_eq!(new.limit(&positions, &moves).len(), shares.len());

@@ -5,7 +5,6 @@ use glam::DVec3;
 use super::super::groups::{Group, Places};
 use super::super::lanes::{WIDTH, push};
 use super::super::soon::Brief;
-use super::super::stiff::{STIFF, Stiff};
 use super::{All, Task, first_due};
 
 impl Task {
@@ -57,17 +56,13 @@ impl Task {
     /// Adds what a group does that is at `i` of a block.
     #[inline(always)]
     fn add_group(&mut self, i: usize, group: &Group, along: f64) {
-        let Self { given, measured, push, felt, stiff, .. } = self;
         let count = f64::from(group.count());
-        let [x, y, z] = [0, 1, 2].map(|axis| count * push.force[axis][i]);
-        let mut stiffness = count * push.stiffness[i];
         let nodes = [(group.corners[0], 1.0), (group.corners[1], along - 1.0), (group.end, -along)];
-        if measured.gap[i] < STIFF * given.width[i] {
-            let [one, other, end] = nodes;
-            let (nodes, weights) = ([one.0, other.0, end.0, end.0], [one.1, other.1, end.1, 0.0]);
-            stiff.push(Stiff { nodes, weights, normal: measured.normal(i), stiffness: 0.5 * stiffness });
-            stiffness = 0.0;
-        }
+        let [one, other, end] = nodes;
+        let (all, weights) = ([one.0, other.0, end.0, end.0], [one.1, other.1, end.1, 0.0]);
+        let stiffness = self.less_stiff(i, (&all, weights), count * self.push.stiffness[i]);
+        let Self { push, felt, .. } = self;
+        let [x, y, z] = [0, 1, 2].map(|axis| count * push.force[axis][i]);
         for (node, weight) in nodes {
             let own = &mut felt[node.index()];
             let size = f64::abs(weight) * stiffness;

@@ -57,13 +57,13 @@ pub(super) fn off_target(pattern: &CreasePattern, model: &Model, folded: &Folded
         warnings.push(Warning::new(WarningCode::OpenCrease, places(model, &open), message));
     }
     let is_full = folded.percent().is_some_and(|percent| percent.abs() == 100.0);
-    let is_strained = Strain::of(model, &state.positions).beams.max > STRAINED;
     let least = if is_full { FAR } else { ELSEWHERE };
     let told: Vec<Off<'_>> = whole.into_iter().filter(|off| off.degrees > least).collect();
-    if let Some(worst) = told.first().filter(|_| !(is_full && is_strained)) {
-        let (how, why) = match (is_full, is_strained) {
-            (false, true) => ("at rest and strained,", "the sheet is caught in another state"),
-            _ => ("at rest and not strained, and yet", "something in its way keeps it from folding"),
+    let worst = told.first().map(|worst| (worst, Strain::of(model, &state.positions).beams.max > STRAINED));
+    if let Some((worst, is_strained)) = worst.filter(|(_, is_strained)| !(is_full && *is_strained)) {
+        let (how, why) = match is_strained {
+            true => ("at rest and strained,", "the sheet is caught in another state"),
+            false => ("at rest and not strained, and yet", "something in its way keeps it from folding"),
         };
         let message = format!("{how} {:.1} degrees off its angle{}: {why}", worst.degrees, others(&told));
         warnings.push(Warning::new(WarningCode::CreaseOffTarget, places(model, &told), message));
